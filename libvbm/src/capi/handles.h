@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the opaque handles of vbm.h are.
+#pragma once
+
+#include "core/model.h"
+
+#include <vbm/vbm.h>
+
+#include <string>
+#include <vector>
+
+struct vbm_context {
+  vbm_progress_fn progress = nullptr;
+  void *user = nullptr;
+
+  // About the last call. `text` is what vbm_context_message() returns: `message`, or a literal when
+  // there was no memory left to compose one.
+  std::string message;
+  const char *text = "";
+  const char *kind = "";
+  std::vector<int64_t> elements;
+  std::size_t total = 0;
+};
+
+struct vbm_model {
+  vbm::impl::Model model;
+};
+
+struct vbm_surface {
+  vbm::impl::Surface surface;
+};

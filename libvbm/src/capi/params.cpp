@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The parameter table: one description of every option, from which each host builds its dialogs and
+// the Python module its signatures. Defaults here and in vbm_build_options_init() must be the same;
+// a test compares them.
+#include <vbm/vbm.h>
+
+#include <algorithm>
+#include <cstring>
+#include <limits>
+
+namespace {
+
+constexpr double kNoLimit = std::numeric_limits<double>::infinity();
+// Hosts keep whole numbers in 32 bits, and so do the library's indices.
+constexpr double kMaxCount = std::numeric_limits<int32_t>::max();
+
+constexpr const char *kBallsNames[] = {"polar", "voronoi"};
+constexpr const char *kBallsLabels[] = {"Polar Balls", "All Voronoi Balls"};
+constexpr const char *kBallsHelps[] = {
+    "One ball at every sample, the largest inside it: smooth, and few",
+    "Every inside Voronoi ball: many more, small ones at the surface among them"};
+
+constexpr const char *kLabelsNames[] = {"auto", "normals", "propagation", "voxels", "scan"};
+constexpr const char *kLabelsLabels[] = {"Automatic", "Normals", "Propagation", "Nearest Voxel",
+                                         "Scan Directions"};
+constexpr const char *kLabelsHelps[] = {
+    "The best rule the input offers: normals, then propagation; voxels for volumes, scan "
+    "directions for range scans",
+    "Face normals of a mesh, or the normals given with points",
+    "From the outside inwards, from ball to ball; no normals needed",
+    "The voxel nearest the ball's centre; for volumes",
+    "From where the scanner stood; for range scans"};
+
+// By row: operation, name, label, help, unit, type, items of an enum, default, minimum, maximum.
+constexpr vbm_param kParams[] = {
+    {sizeof(vbm_param), "build", "balls", "Balls", "Which of the balls inside the shape are kept",
+     "", VBM_PARAM_ENUM, 2, kBallsNames, kBallsLabels, kBallsHelps, VBM_BALLS_POLAR,
+     VBM_BALLS_POLAR, VBM_BALLS_VORONOI},
+    {sizeof(vbm_param), "build", "labels", "Inside From",
+     "How the inside of the shape is told from the outside", "", VBM_PARAM_ENUM, 5, kLabelsNames,
+     kLabelsLabels, kLabelsHelps, VBM_LABELS_AUTO, VBM_LABELS_AUTO, VBM_LABELS_SCAN},
+    {sizeof(vbm_param), "build", "spacing", "Sample Spacing",
+     "Meshes: widest gap left between samples on faces and edges; 0 chooses it from the mesh, a "
+     "negative value takes the vertices alone",
+     "length", VBM_PARAM_LENGTH, 0, nullptr, nullptr, nullptr, 0, -1, kNoLimit},
+    {sizeof(vbm_param), "build", "undersampling", "Undersampling Limit",
+     "Report a sample as too thinly sampled where its neighbours are farther away than this times "
+     "its local feature size",
+     "ratio", VBM_PARAM_FLOAT, 0, nullptr, nullptr, nullptr, 0.7, 0.05, 1},
+    {sizeof(vbm_param), "build", "drop_invalid", "Drop Invalid Points",
+     "Leave out points that are not finite, and the faces using them, instead of refusing the "
+     "input",
+     "", VBM_PARAM_BOOL, 0, nullptr, nullptr, nullptr, 0, 0, 1},
+    {sizeof(vbm_param), "build", "refine", "Refine Thin Parts",
+     "Meshes: add samples where a ball still contains a piece of the mesh, as thin parts need", "",
+     VBM_PARAM_BOOL, 0, nullptr, nullptr, nullptr, 1, 0, 1},
+    {sizeof(vbm_param), "build", "sample_limit", "Sample Limit",
+     "Stop with an error beyond so many samples; 0 stands for 20 million", "", VBM_PARAM_INT, 0,
+     nullptr, nullptr, nullptr, 0, 0, kMaxCount},
+    {sizeof(vbm_param), "build", "cell_limit", "Tetrahedron Limit",
+     "Stop with an error beyond so many Delaunay tetrahedra; 0 stands for one million plus 40 per "
+     "sample",
+     "", VBM_PARAM_INT, 0, nullptr, nullptr, nullptr, 0, 0, kMaxCount},
+};
+
+} // namespace
+
+size_t vbm_param_count(void) { return sizeof kParams / sizeof kParams[0]; }
+
+vbm_status vbm_param_describe(size_t index, vbm_param *param) {
+  if (!param || param->struct_size < sizeof(size_t) || index >= vbm_param_count())
+    return VBM_ERROR_ARGUMENT;
+  // A caller with an older header gets the fields it knows, one with a newer header zeros for those
+  // this library does not know.
+  const size_t size = param->struct_size;
+  const size_t known = std::min(size, sizeof(vbm_param));
+  std::memcpy(param, &kParams[index], known);
+  if (size > known) std::memset(reinterpret_cast<char *>(param) + known, 0, size - known);
+  param->struct_size = size;
+  return VBM_OK;
+}

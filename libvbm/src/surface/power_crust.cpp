@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Amenta, Choi, Kolluri, "The power crust, unions of balls, and the medial axis transform" (2001):
+// the faces between inner and outer cells in the power diagram of the polar balls. It differs in
+// that vertices are merged, where the surface stays what it is, until few are left that are no
+// samples; and in that a crust of all balls whose topology is not that of the inside tetrahedra is
+// made again with more balls.
+#include "surface/power_crust.h"
+
+#include "core/error.h"
+#include "surface/boundary.h"
+#include "surface/crust_complex.h"
+#include "surface/crust_merge.h"
+#include "surface/crust_selection.h"
+#include "surface/crust_vertices.h"
+#include "surface/measure.h"
+#include "surface/power_diagram.h"
+#include "surface/triangulate.h"
+
+#include <algorithm>
+
+namespace vbm::impl {
+namespace {
+
+/// Attempts at a crust with the topology of the inside tetrahedra: the model's balls alone, with
+/// Voronoi balls where the sampling is thin, with all Voronoi balls.
+constexpr int kAttempts = 3;
+
+Selection select(const Model &model, const uint8_t *keep, int attempt, Progress &progress) {
+  if (attempt == 0) return select_balls(model, keep);
+  return select_with_support(model, attempt == 1 ? Support::undersampled : Support::everywhere,
+                             progress);
+}
+
+/// Whether the crust has the components and handles of the solid. Sampled thinly, even balls with
+/// the right labels can meet across a gap or miss each other across a neck.
+bool same_topology(const CrustComplex &crust, const Boundary &boundary) {
+  return crust.euler() == boundary.euler() && crust.components == boundary.components();
+}
+
+/// Give polygons in `cut` a vertex in their middle, and make them triangles.
+void split_polygons(CrustMesh &mesh, Triangles &triangles) {
+  if (triangles.cut.empty()) return;
+  CrustMesh old;
+  std::swap(old.polygons, mesh.polygons);
+  std::swap(old.inner, mesh.inner);
+  const std::size_t count = old.inner.size();
+  std::vector<int32_t> number(count); // of each polygon, or of the first of its triangles
+  std::size_t next_cut = 0;
+  for (std::size_t p = 0; p < count; ++p) {
+    const int32_t *begin = old.polygons.index.data() + old.polygons.offset[p];
+    const int32_t *end = old.polygons.index.data() + old.polygons.offset[p + 1];
+    number[p] = int32_t(mesh.inner.size());
+    if (next_cut < triangles.cut.size() && std::size_t(triangles.cut[next_cut]) == p) {
+      ++next_cut;
+      const int32_t middle = int32_t(mesh.position.size());
+      Vec3 sum;
+      for (const int32_t *v = begin; v != end; ++v) sum += mesh.position[*v];
+      mesh.position.push_back(sum * (1.0 / double(end - begin)));
+      mesh.sample.push_back(-1);
+      for (const int32_t *v = begin; v != end; ++v) {
+        mesh.polygons.index.insert(mesh.polygons.index.end(),
+                                   {v == begin ? end[-1] : v[-1], *v, middle});
+        mesh.polygons.offset.push_back(mesh.polygons.index.size());
+        mesh.inner.push_back(old.inner[p]);
+      }
+    } else {
+      mesh.polygons.index.insert(mesh.polygons.index.end(), begin, end);
+      mesh.polygons.offset.push_back(mesh.polygons.index.size());
+      mesh.inner.push_back(old.inner[p]);
+    }
+  }
+  std::vector<uint8_t> is_cut(count, 0);
+  for (int32_t p : triangles.cut) is_cut[p] = 1;
+  int32_t k = 0; // of the triangles of one polygon
+  int32_t last = -1;
+  for (int32_t &polygon : triangles.polygon) {
+    const int32_t p = polygon;
+    k = p == last ? k + 1 : 0;
+    last = p;
+    polygon = number[p] + (is_cut[p] ? k : 0);
+  }
+}
+
+void fill_vertices(Surface &surface, const CrustMesh &mesh, const Model &model,
+                   const Selection &selected, Progress &progress) {
+  const Samples &samples = model.samples;
+  const std::size_t count = mesh.position.size();
+  surface.vertices.resize(count);
+  surface.vertex_sample = mesh.sample;
+  surface.vertex_input.assign(count, -1);
+  surface.vertex_radius.assign(count, 0);
+  for (std::size_t p = 0; p < mesh.inner.size(); ++p) {
+    progress.tick(p, mesh.inner.size());
+    for (uint64_t i = mesh.polygons.offset[p]; i < mesh.polygons.offset[p + 1]; ++i) {
+      double &r = surface.vertex_radius[mesh.polygons.index[i]];
+      r = std::max(r, selected.balls[mesh.inner[p]].radius);
+    }
+  }
+  std::vector<uint8_t> kept(model.inner, 0);
+  for (std::size_t b = 0; b < selected.inner; ++b)
+    if (const std::size_t o = std::size_t(selected.origin[b]); o < model.inner) kept[o] = 1;
+  std::vector<uint8_t> used(samples.position.size(), 0);
+  for (std::size_t v = 0; v < count; ++v) {
+    progress.tick(v, count);
+    const int32_t s = mesh.sample[v];
+    if (s < 0) {
+      surface.vertices[v] = samples.frame.to_input(mesh.position[v]);
+    } else {
+      surface.vertices[v] = samples.input_position[s];
+      surface.vertex_input[v] = samples.input[s];
+      surface.report.split_vertices += used[s];
+      used[s] = 1;
+      const int32_t pole = model.inner_pole[s];
+      if (pole >= 0 && kept[pole]) surface.vertex_radius[v] = model.balls[pole].radius;
+    }
+    surface.vertex_radius[v] = samples.frame.length_to_input(surface.vertex_radius[v]);
+  }
+}
+
+} // namespace
+
+Surface power_crust(const Model &model, const uint8_t *keep, Progress &progress) {
+  if (keep && std::count(keep, keep + model.inner, 0) == 0) keep = nullptr;
+  Selection selected;
+  CrustMesh mesh;
+  progress.stage("power diagram", 0.02);
+  const Boundary boundary = keep ? Boundary{} : find_boundary(model.cells, model.inside, progress);
+  for (int attempt = 0; attempt < kAttempts; ++attempt) {
+    progress.stage("power diagram", attempt ? 0.86 : 0.7);
+    selected = select(model, keep, attempt, progress);
+    PowerDiagram diagram = power_diagram(selected.balls, selected.inner, progress);
+    progress.stage("power crust", attempt ? 0.88 : 0.85);
+    const CrustComplex crust =
+        crust_complex(std::move(diagram), selected.balls.size(), selected.inner, progress);
+    const bool last = keep || attempt + 1 == kAttempts;
+    if (!last && !same_topology(crust, boundary)) continue;
+    const CrustVertices vertices = crust_vertices(crust, model, selected, progress);
+    mesh = merge_crust(crust, vertices, selected.balls, model, progress);
+    break;
+  }
+  progress.stage("triangles", 0.95);
+  Triangles triangles = triangulate(mesh.position, mesh.polygons, progress);
+  split_polygons(mesh, triangles);
+
+  Surface surface;
+  fill_vertices(surface, mesh, model, selected, progress);
+  surface.triangles = std::move(triangles.corners);
+  surface.triangle_polygon = std::move(triangles.polygon);
+  surface.polygons = std::move(mesh.polygons);
+  surface.polygon_ball = std::move(mesh.inner);
+  for (int32_t &b : surface.polygon_ball) b = selected.model_ball(model, b);
+  progress.stage("checking", 1);
+  measure(surface, progress);
+  return surface;
+}
+
+} // namespace vbm::impl

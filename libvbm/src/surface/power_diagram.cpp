@@ -1,0 +1,282 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Bowyer (1981), Watson (1981), and Edelsbrunner, Shah, "Incremental topological flipping works for
+// regular triangulations" (1996): balls are inserted one by one, each replacing the tetrahedra it
+// is in conflict with by a fan of new ones.
+//
+// It differs from the usual in two ways. There is no infinite vertex: four far corners surround
+// everything. And a tie, a ball exactly as far from a power centre as the four balls there, is no
+// conflict. That is a symbolic perturbation: it raises every lifted point by an amount that is
+// small against those of all later points, so the last one of five decides, and it is always the
+// one being inserted. Every tetrahedron made so has a volume.
+#include "surface/power_diagram.h"
+
+#include "core/cells.h"
+#include "core/error.h"
+#include "core/hash.h"
+#include "core/prefetch.h"
+#include "core/progress.h"
+#include "core/tolerances.h"
+#include "surface/insertion_order.h"
+#include "surface/power_predicates.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+
+namespace vbm::impl {
+namespace {
+
+constexpr int32_t kNone = INT32_MIN;
+constexpr std::size_t kMaxCells = std::size_t(1) << 29; // 4 * cell + facet fits an int32
+
+class Builder {
+public:
+  Builder(std::vector<Site> sites) : site_(std::move(sites)), place_(site_.size()) {}
+
+  /// Sites 0 to 3 are the far corners, positively oriented; insert the others in their order.
+  void build(Progress &progress) {
+    cell_.reserve(site_.size() * 9);
+    cell_.push_back({{0, 1, 2, 3}, {kNone, kNone, kNone, kNone}});
+    for (std::size_t i = 4; i < site_.size(); ++i) {
+      progress.tick(i, site_.size());
+      insert(int32_t(i));
+    }
+    for (int32_t c : free_) cell_[c].ball[0] = -1;
+  }
+
+  std::vector<PowerDiagram::Cell> &cells() { return cell_; }
+
+private:
+  using Cell = PowerDiagram::Cell;
+
+  bool conflict(const Cell &c, const Site &p) const {
+    return power_side(site_[c.ball[0]], site_[c.ball[1]], site_[c.ball[2]], site_[c.ball[3]], p) >
+           0;
+  }
+
+  /// The tetrahedron that contains p: walks through facets that p lies behind. Visibility walks in
+  /// regular triangulations end, whatever the order of the facets.
+  int32_t locate(const Site &p) const {
+    int32_t at = last_, from = -1;
+    for (;;) {
+      const Cell &c = cell_[at];
+      int32_t next = -1;
+      for (int i = 0; i < 4 && next < 0; ++i) {
+        if (i == from) continue;
+        const Site *s[4] = {&site_[c.ball[0]], &site_[c.ball[1]], &site_[c.ball[2]],
+                            &site_[c.ball[3]]};
+        s[i] = &p;
+        if (c.neighbor[i] >= 0 && orientation(*s[0], *s[1], *s[2], *s[3]) < 0) next = c.neighbor[i];
+      }
+      if (next < 0) return at;
+      at = next >> 2;
+      from = next & 3;
+    }
+  }
+
+  void insert(int32_t ball) {
+    const Site &p = site_[ball];
+    const int32_t first = locate(p);
+    if (!conflict(cell_[first], p)) return; // hidden
+    find_conflicts(ball, first);
+    fill_hole(ball);
+    for (int32_t c : conflict_) free_.push_back(c);
+    last_ = made_.back();
+  }
+
+  // While a ball is inserted, the top bit of ball[0] marks a cell found in conflict, that of
+  // ball[1] one found not in conflict: a cell then costs one cache line to look at.
+  static constexpr int32_t kMark = INT32_MIN;
+
+  /// All cells in conflict, which are connected, and the facets around them.
+  void find_conflicts(int32_t ball, int32_t first) {
+    const Site &p = site_[ball];
+    conflict_.assign(1, first);
+    entry_.assign(1, -1);
+    cell_[first].ball[0] |= kMark;
+    // What a test finds is as good as random, so nothing is branched on it: both lists are written
+    // to, and only one of them grows.
+    std::size_t found = 1, around = 0;
+    for (std::size_t k = 0; k < found; ++k) {
+      if (conflict_.size() < found + 4) {
+        conflict_.resize(2 * found + 64);
+        entry_.resize(2 * found + 64);
+      }
+      if (boundary_.size() < around + 4) boundary_.resize(2 * around + 64);
+      const int32_t at = conflict_[k];
+      const std::array<int32_t, 4> neighbor = cell_[at].neighbor;
+      for (int i = 0; i < 4; ++i) {
+        if (i == entry_[k]) continue;
+        const int32_t code = neighbor[i];
+        bool in = false;
+        if (code >= 0) {
+          Cell &next = cell_[code >> 2];
+          in = next.ball[0] < 0;
+          if ((next.ball[0] | next.ball[1]) >= 0) {
+            in = conflict(next, p);
+            next.ball[in ? 0 : 1] |= kMark;
+            conflict_[found] = code >> 2;
+            entry_[found] = code & 3;
+            found += in;
+            for (int32_t ahead : next.neighbor) prefetch(&cell_[std::max(ahead, 0) >> 2]);
+          }
+        }
+        boundary_[around] = at * 4 + i;
+        around += !in;
+      }
+    }
+    conflict_.resize(found);
+    boundary_.resize(around);
+    for (int32_t c : conflict_) cell_[c].ball[0] &= ~kMark;
+  }
+
+  int32_t new_cell() {
+    if (!free_.empty()) {
+      const int32_t c = free_.back();
+      free_.pop_back();
+      return c;
+    }
+    if (cell_.size() >= kMaxCells)
+      throw Error(VBM_ERROR_LIMIT, "the power diagram needs more than half a billion tetrahedra");
+    cell_.emplace_back();
+    return int32_t(cell_.size()) - 1;
+  }
+
+  /// Join every boundary facet to the new ball. Two new cells are neighbours where their facets on
+  /// the hole's boundary share an edge, which runs through the two in opposite directions.
+  void fill_hole(int32_t ball) {
+    made_.clear();
+    rim_.clear();
+    for (int32_t facet : boundary_) {
+      const int32_t t = new_cell();
+      const Cell &old = cell_[facet >> 2];
+      const int i = facet & 3;
+      Cell &fresh = cell_[t];
+      fresh.ball = old.ball;
+      fresh.ball[i] = ball;
+      const int32_t outside = old.neighbor[i];
+      fresh.neighbor[i] = outside;
+      if (outside >= 0) {
+        cell_[outside >> 2].neighbor[outside & 3] = t * 4 + i;
+        cell_[outside >> 2].ball[1] &= ~kMark;
+      }
+      made_.push_back(t);
+      for (int k : kFacet[i]) place(fresh.ball[k]);
+    }
+    if (rim_.size() <= kTable)
+      link_by_table();
+    else
+      link_by_turning();
+  }
+
+  /// The number of a site on the hole's boundary, in the order of first sight.
+  uint32_t place(int32_t site) {
+    const uint32_t at = place_[site];
+    if (at < rim_.size() && rim_[at] == site) return at;
+    place_[site] = uint32_t(rim_.size());
+    rim_.push_back(site);
+    return place_[site];
+  }
+
+  void link_by_table() {
+    for (std::size_t k = 0; k < boundary_.size(); ++k) {
+      const int(&f)[3] = kFacet[boundary_[k] & 3];
+      const std::array<int32_t, 4> &b = cell_[made_[k]].ball;
+      const uint32_t v[3] = {place_[b[f[0]]], place_[b[f[1]]], place_[b[f[2]]]};
+      table_[v[0]][v[1]] = made_[k] * 4 + f[2];
+      table_[v[1]][v[2]] = made_[k] * 4 + f[0];
+      table_[v[2]][v[0]] = made_[k] * 4 + f[1];
+    }
+    for (std::size_t k = 0; k < boundary_.size(); ++k) {
+      const int(&f)[3] = kFacet[boundary_[k] & 3];
+      Cell &c = cell_[made_[k]];
+      const uint32_t v[3] = {place_[c.ball[f[0]]], place_[c.ball[f[1]]], place_[c.ball[f[2]]]};
+      c.neighbor[f[2]] = table_[v[1]][v[0]];
+      c.neighbor[f[0]] = table_[v[2]][v[1]];
+      c.neighbor[f[1]] = table_[v[0]][v[2]];
+    }
+  }
+
+  /// For large holes: turn about each edge through the hole's old cells, from one facet on its
+  /// boundary to the other. A facet's neighbor is ~(the new cell on it) meanwhile.
+  void link_by_turning() {
+    for (std::size_t k = 0; k < boundary_.size(); ++k)
+      cell_[boundary_[k] >> 2].neighbor[boundary_[k] & 3] = ~made_[k];
+    for (std::size_t k = 0; k < boundary_.size(); ++k)
+      for (int j : kFacet[boundary_[k] & 3]) {
+        int32_t at = boundary_[k] >> 2, code;
+        int in = boundary_[k] & 3, out = j;
+        while ((code = cell_[at].neighbor[out]) >= 0) {
+          const int32_t shared = cell_[at].ball[in];
+          at = code >> 2;
+          in = code & 3;
+          const std::array<int32_t, 4> &b = cell_[at].ball;
+          out = b[0] == shared ? 0 : b[1] == shared ? 1 : b[2] == shared ? 2 : 3;
+        }
+        cell_[made_[k]].neighbor[j] = ~code * 4 + in;
+      }
+  }
+
+  static constexpr std::size_t kTable = 64; // sites round a hole, on average 18
+
+  std::vector<Site> site_;
+  std::vector<Cell> cell_;
+  std::vector<int32_t> free_, conflict_, boundary_, made_;
+  std::vector<int32_t> entry_;  // of each cell in conflict_, the facet it was found through
+  std::vector<int32_t> rim_;    // sites round the hole
+  std::vector<uint32_t> place_; // of each site in rim_, if it is there
+  int32_t table_[kTable]
+                [kTable]; // by the ends of a boundary edge: the new cell and facet behind it
+  int32_t last_ = 0;      // where the next walk begins
+};
+
+} // namespace
+
+double changed_radius(const Ball &ball, int32_t b, bool inner) {
+  const double part = 0.5 + 0.5 * double(hash_index(b) >> 11) * 0x1p-53;
+  return ball.radius * (1 + kPowerChange * (inner ? -part : part));
+}
+
+PowerDiagram power_diagram(const std::vector<Ball> &balls, std::size_t inner, Progress &progress) {
+  std::vector<Vec3> centers(balls.size());
+  double reach = 1;
+  for (std::size_t b = 0; b < balls.size(); ++b) {
+    progress.tick(0, 1);
+    centers[b] = balls[b].center;
+    for (int a = 0; a < 3; ++a) reach = std::max(reach, std::fabs(centers[b][a]) + balls[b].radius);
+  }
+  const std::vector<int32_t> order = insertion_order(centers, progress);
+
+  PowerDiagram diagram;
+  // The inscribed sphere of this tetrahedron has 18 times the reach, so that the corners' cells
+  // stay away from all that lies within reach of a ball.
+  const double far = 32 * reach;
+  diagram.corner = {Vec3{far, far, far}, Vec3{-far, -far, far}, Vec3{-far, far, -far},
+                    Vec3{far, -far, -far}};
+  std::vector<Site> sites;
+  sites.reserve(balls.size() + 4);
+  for (const Vec3 &c : diagram.corner) sites.push_back({c.x, c.y, c.z, 0});
+  for (int32_t b : order) {
+    progress.tick(0, 1);
+    const Vec3 &c = balls[b].center;
+    sites.push_back({c.x, c.y, c.z, changed_radius(balls[b], b, std::size_t(b) < inner)});
+  }
+
+  Builder builder(std::move(sites));
+  builder.build(progress);
+  diagram.cells = std::move(builder.cells());
+  std::vector<uint8_t> present(balls.size(), 0);
+  for (PowerDiagram::Cell &c : diagram.cells) {
+    progress.tick(1, 1);
+    if (c.ball[0] < 0) continue;
+    for (int32_t &b : c.ball) {
+      b = b < 4 ? int32_t(balls.size()) + b : order[b - 4];
+      if (b < int32_t(balls.size())) present[b] = 1;
+    }
+  }
+  for (std::size_t b = 0; b < balls.size(); ++b)
+    if (!present[b]) diagram.hidden.push_back(int32_t(b));
+  return diagram;
+}
+
+} // namespace vbm::impl
