@@ -1,0 +1,22 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Writes env.sh into the build folder: sourced by a shell, it lets python3, blender and meshlab find what
+# was built there.
+function(vbm_write_env)
+  set(text "# Source this: python3 imports vbm, and Blender and MeshLab find add-on and plugin, from\n")
+  string(APPEND text "# ${CMAKE_BINARY_DIR}\n")
+  string(REPLACE "'" "'\\''" build "${CMAKE_BINARY_DIR}")
+  macro(prefix variable folder)
+    string(APPEND text "export ${variable}='${build}/${folder}'\"\${${variable}:+:\$${variable}}\"\n")
+  endmacro()
+  if(VBM_PYTHON)
+    prefix(PYTHONPATH python)
+  endif()
+  if(VBM_BLENDER)
+    string(APPEND text "export BLENDER_USER_SCRIPTS='${build}/blender'\n")
+  endif()
+  if(VBM_MESHLAB)
+    prefix(PATH meshlab/usr/bin)
+  endif()
+  file(CONFIGURE OUTPUT ${CMAKE_BINARY_DIR}/env.sh CONTENT "${text}" @ONLY)
+endfunction()
+vbm_write_env()

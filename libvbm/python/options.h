@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Build options as keyword arguments, and the parameter table as Python sees it.
+#pragma once
+
+#include "signature.h"
+
+#include <vbm/vbm.hpp>
+
+namespace vbm::python {
+
+/// The library's build parameters, in the table's order, as keyword-only ones with its defaults.
+std::vector<Parameter> build_parameters();
+
+/// What help() says about them.
+std::string build_parameters_doc();
+
+/// Whether a row of the table is an option that this module can set.
+bool is_build_option(const vbm_param &param);
+
+/// Options from the arguments given, the rest at their defaults.
+BuildOptions build_options(const Arguments &arguments);
+
+/// A value of the table's labels or balls, by name.
+std::string enum_name(const char *parameter, int value);
+
+void bind_parameters(py::module_ &module);
+
+} // namespace vbm::python

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "reports.h"
+
+#include "options.h"
+
+#include <string>
+#include <vector>
+
+namespace vbm::python {
+
+namespace {
+
+// A field of a report: its name, its help, and how it is read.
+template <class Report> struct Field {
+  const char *name;
+  const char *doc;
+  py::object (*get)(const Report &);
+};
+
+template <class Report, auto Member> py::object number(const Report &report) {
+  return py::cast(report.*Member);
+}
+#define VBM_FIELD(Report, member, doc)                                                             \
+  { #member, doc, &number < Report, &Report::member> }
+
+using M = vbm_model_report;
+const Field<M> kModelFields[] = {
+    {"rule", "How inside was told from outside: 'normals', 'propagation', 'voxels' or 'scan'.",
+     [](const M &r) -> py::object { return py::str(enum_name("labels", r.rule)); }},
+    {"flipped", "True: the mesh was inside out and was taken as upright.",
+     [](const M &r) -> py::object { return py::bool_(r.flipped != 0); }},
+    VBM_FIELD(M, input_points, "Vertices, points or voxels given."),
+    VBM_FIELD(M, dropped, "Points left out because they were not finite or no face used them."),
+    VBM_FIELD(M, merged, "Points merged into an earlier one at the same place."),
+    VBM_FIELD(M, added, "Samples added on faces and edges."),
+    VBM_FIELD(M, samples, "Samples in the Delaunay triangulation."),
+    VBM_FIELD(M, cells, "Delaunay tetrahedra."),
+    VBM_FIELD(M, inner_balls, "Inner balls."),
+    VBM_FIELD(M, outer_balls, "Outer balls."),
+    VBM_FIELD(M, exact_centers, "Centres that doubles could not give and exact numbers did."),
+    VBM_FIELD(
+        M, undersampled,
+        "Samples where the sampling is too thin to trust the surface; Model.undersampled lists "
+        "them."),
+    VBM_FIELD(M, unused_samples, "Samples not on the interpolating surface."),
+    VBM_FIELD(M, skipped_faces, "Faces with fewer than three different corners."),
+    VBM_FIELD(M, open_loops, "Boundary loops of the mesh."),
+    VBM_FIELD(M, inconsistent_edges,
+              "Edges whose two faces contradict each other, or with three or more faces."),
+    VBM_FIELD(M, spacing, "Spacing used on the mesh; 0 where no samples were added."),
+    VBM_FIELD(M, diagonal, "Bounding-box diagonal of the samples."),
+};
+
+using S = vbm_surface_report;
+const Field<S> kSurfaceFields[] = {
+    VBM_FIELD(S, vertices, "Vertices."),
+    VBM_FIELD(S, triangles, "Triangles."),
+    VBM_FIELD(S, polygons, "Polygons."),
+    VBM_FIELD(S, components,
+              "Connected components of the surface; the wall of a cavity inside counts."),
+    VBM_FIELD(S, euler, "Euler characteristic."),
+    VBM_FIELD(S, genus, "Handles in all: components - euler / 2."),
+    VBM_FIELD(S, split_vertices,
+              "Vertices that stand where another stands, to keep the surface manifold."),
+    VBM_FIELD(S, area, "Area of the triangles."),
+    VBM_FIELD(S, volume, "Volume inside; positive."),
+};
+#undef VBM_FIELD
+
+// The named tuple's class, kept for as long as the process lives. Asking the module by its name
+// would fail where it was imported under another, as from within a package.
+template <class Report> py::handle &class_of() {
+  static py::handle type;
+  return type;
+}
+
+template <class Report, std::size_t N>
+void bind(py::module_ &module, const char *name, const char *doc,
+          const Field<Report> (&fields)[N]) {
+  py::list names;
+  for (const Field<Report> &field : fields) names.append(field.name);
+  const py::object type =
+      py::module_::import("collections").attr("namedtuple")(name, names, py::arg("module") = "vbm");
+  type.attr("__doc__") = doc;
+  for (const Field<Report> &field : fields) type.attr(field.name).attr("__doc__") = field.doc;
+  module.add_object(name, type);
+  class_of<Report>() = py::object(type).release();
+}
+
+template <class Report, std::size_t N>
+py::object make(const Report &report, const Field<Report> (&fields)[N]) {
+  py::tuple values(N);
+  for (std::size_t i = 0; i < N; ++i) values[i] = fields[i].get(report);
+  return class_of<Report>()(*values);
+}
+
+} // namespace
+
+void bind_reports(py::module_ &module) {
+  bind(module, "ModelReport", "What was found and done while a model was built; a named tuple.",
+       kModelFields);
+  bind(module, "SurfaceReport", "Counts and measures of a surface; a named tuple.", kSurfaceFields);
+}
+
+py::object to_python(const vbm_model_report &report) { return make(report, kModelFields); }
+py::object to_python(const vbm_surface_report &report) { return make(report, kSurfaceFields); }
+
+std::string counted(uint64_t count, const char *singular, const char *plural) {
+  return std::to_string(count) + " " + (count == 1 ? singular : plural);
+}
+
+} // namespace vbm::python
