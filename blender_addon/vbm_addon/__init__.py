@@ -1,0 +1,45 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Voronoi ball models in Blender: balls from a shape, a closed surface back, wall thickness.
+
+The computing is libvbm's, reached through its Python module; this package reads meshes from Blender,
+runs the work beside the interface, and writes the results as objects and attributes.
+"""
+
+bl_info = {
+    "name": "Voronoi Ball Models",
+    "author": "The libvbm developers",
+    "version": (0, 1, 0),
+    "blender": (3, 4, 0),
+    "location": "3D Viewport > Sidebar > VBM, and Object > Ball Model",
+    "description": "Balls from a scan or mesh, a closed surface back, and wall thickness",
+    "category": "Mesh",
+}
+
+import bpy
+from bpy.app.handlers import persistent
+
+from . import cache, menus, op_balls, op_select, op_surface, op_thickness, options, panel, session
+
+_MODULES = (options, op_balls, op_surface, op_thickness, op_select, panel, menus)
+
+
+@persistent
+def _forget(*_unused):
+    """Another file is open: what was computed for the last one is of no use."""
+    if session.job is not None:
+        session.job.cancel()
+    cache.clear()
+    session.clear()
+
+
+def register():
+    for module in _MODULES:
+        module.register()
+    bpy.app.handlers.load_pre.append(_forget)
+
+
+def unregister():
+    bpy.app.handlers.load_pre.remove(_forget)
+    for module in reversed(_MODULES):
+        module.unregister()
+    _forget()

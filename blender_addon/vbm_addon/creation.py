@@ -1,0 +1,117 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""New objects: placed like the one they were computed from, and taken back if anything fails."""
+
+from contextlib import contextmanager
+
+import numpy as np
+
+from . import compat
+
+
+@contextmanager
+def undone_on_failure():
+    """Yields a list for new datablocks; if the block raises, they are removed, the last one first."""
+    made = []
+    try:
+        yield made
+    except BaseException:
+        for collection, datablock in reversed(made):
+            collection.remove(datablock)
+        raise
+
+
+def fill_mesh(mesh, vertices, offsets=None, corners=None):
+    """Vertices and, if given, polygons: polygon i has corners[offsets[i]:offsets[i + 1]]."""
+    mesh.vertices.add(len(vertices))
+    mesh.vertices.foreach_set("co", np.ascontiguousarray(vertices, dtype=np.float32).ravel())
+    if offsets is not None and len(offsets) > 1:
+        offsets = np.asarray(offsets, dtype=np.int32)
+        compat.write_faces(mesh, offsets[:-1], np.diff(offsets),
+                           np.ascontiguousarray(corners, dtype=np.int32))
+    mesh.update(calc_edges=True)
+
+
+def add_attribute(mesh, name, kind, values):
+    """A new attribute of the vertices. `kind` is Blender's: FLOAT, INT, BOOLEAN, FLOAT_COLOR."""
+    fill_attribute(mesh.attributes.new(name, kind, "POINT"), values)
+
+
+def fill_attribute(attribute, values):
+    kind = attribute.data_type
+    dtype = {"INT": np.int32, "BOOLEAN": bool}.get(kind, np.float32)
+    attribute.data.foreach_set("color" if kind == "FLOAT_COLOR" else "value",
+                               np.ascontiguousarray(values, dtype=dtype).ravel())
+
+
+_TRANSFORM = ("rotation_mode", "location", "rotation_euler", "rotation_quaternion",
+              "rotation_axis_angle", "scale", "delta_location", "delta_rotation_euler",
+              "delta_rotation_quaternion", "delta_scale")
+
+
+def place_like(obj, origin):
+    """Put `obj` where `origin` is. What was computed is in origin's own coordinates.
+
+    Parent and channels are copied where that is enough: a matrix taken apart into location, rotation
+    and scale would lose the parent's shear, and exact numbers.
+    """
+    if origin.constraints:
+        obj.matrix_world = origin.matrix_world
+        return
+    obj.parent = origin.parent
+    obj.parent_type = origin.parent_type
+    obj.parent_bone = origin.parent_bone
+    obj.matrix_parent_inverse = origin.matrix_parent_inverse
+    for name in _TRANSFORM:
+        setattr(obj, name, getattr(origin, name))
+
+
+def show_result(context, obj, origin, source_display):
+    """Link `obj` beside `origin`, select it alone, and treat what it was computed from as asked."""
+    before = context.view_layer.objects.active
+    _collection_of(origin, context.view_layer.layer_collection).objects.link(obj)
+    select_alone(context, obj)
+    # The balls that stood for the origin give way with it.
+    for other in {origin, before}:
+        if source_display == "HIDE":
+            hide(other, True)
+        elif source_display == "WIRE":
+            other.display_type = "WIRE"
+
+
+def _collection_of(obj, layer):
+    """A collection that has `obj` and is switched on in the view layer."""
+    if not layer.exclude and layer.collection.objects.get(obj.name) == obj:
+        return layer.collection
+    for child in layer.children:
+        found = _collection_of(obj, child)
+        if found is not None:
+            return found
+    return None
+
+
+def select_alone(context, obj):
+    """Make `obj` the active and only selected object."""
+    for other in context.selected_objects:
+        other.select_set(False)
+    obj.select_set(True)
+    context.view_layer.objects.active = obj
+
+
+def hide(obj, hidden):
+    """In viewports and, what hide_set() alone does not do, in renders."""
+    obj.hide_set(hidden)
+    obj.hide_render = hidden
+
+
+def describe(obj, report, notes):
+    """What the library says about the result, as custom properties that stay with it."""
+    obj["vbm_report"] = {key: _plain(value) for key, value in report._asdict().items()}
+    obj["vbm_notes"] = list(notes)
+
+
+def _plain(value):
+    """What properties can hold: 32-bit whole numbers, floats, text."""
+    if isinstance(value, (bool, str, float)):
+        return value
+    value = int(value)
+    return value if abs(value) < 2**31 else float(value)

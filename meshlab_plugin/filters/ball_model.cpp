@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Build Ball Model: a layer with a vertex at the centre of every ball.
+#include "filter.h"
+#include "model.h"
+#include "ramp.h"
+#include "text.h"
+
+namespace vbm_filters {
+namespace {
+
+std::vector<Param> params() {
+  std::vector<Param> params = model_params({});
+  params.insert(params.begin() + 2,
+                bool_param("outer", "Outer Balls Too",
+                           "Add the balls outside the shape as well, which touch it from without",
+                           false));
+  params.push_back(hide_param());
+  return params;
+}
+
+Outcome run(const Layer &layer, const Values &values, Progress &progress) {
+  vbm::Context context;
+  progress.stage(context, 0, 99);
+  const vbm::Model model = build_model(context, layer, values);
+
+  NewLayer balls;
+  balls.suffix = "balls";
+  balls.hide_source = values.flag("hide");
+  // Inner balls come first.
+  const std::size_t wanted = values.flag("outer") ? model.radii().size : model.inner_count();
+  const auto centers = model.centers();
+  const auto radii = model.radii();
+  balls.points.assign(centers.data, centers.data + 3 * wanted);
+  balls.radius.assign(radii.data, radii.data + wanted);
+  balls.quality = balls.radius;
+  const Spread range = spread(balls.radius);
+  balls.ramp = range.ramp;
+
+  Outcome outcome;
+  describe(model, layer, outcome.log);
+  outcome.log.push_back("New layer: " + count(wanted, "ball", "balls") + ", radius from " +
+                        number(range.minimum) + " to " + number(range.maximum) + ".");
+  outcome.layers.push_back(std::move(balls));
+  return outcome;
+}
+
+} // namespace
+
+const Filter ball_model_filter = {
+    "Voronoi Balls: Build Ball Model",
+    "generate_voronoi_ball_model",
+    "Fills the shape with balls, each as large as fits between the samples around it, and adds a "
+    "layer with one vertex at the centre of each: points of the shape's <b>medial axis</b>. Their "
+    "<b>radius</b> and <b>quality</b> are the balls' radii, their colours run from red (small) to "
+    "blue (large). The input is a mesh, open or closed, or bare points such as a scan.<br><br>"
+    "See:<br>"
+    "<i>R. Tam</i>, <b>\"Voronoi Ball Models for Computational Shape Applications\"</b>, PhD "
+    "thesis<br>"
+    "<i>N. Amenta, S. Choi, R. Kolluri</i>, <b>\"The power crust, unions of balls, and the medial "
+    "axis "
+    "transform\"</b>, Computational Geometry 19(2-3), 2001",
+    true,
+    params,
+    run,
+};
+
+} // namespace vbm_filters

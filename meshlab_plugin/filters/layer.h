@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a filter reads and what it leaves, as plain arrays: nothing here knows MeshLab.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace vbm_filters {
+
+struct Color {
+  std::uint8_t r = 255, g = 255, b = 255, a = 255;
+};
+
+// The layer a filter is applied to, copied out of the host before anything else happens.
+struct Layer {
+  std::vector<double> points;          // 3 per vertex
+  std::vector<double> normals;         // 3 per vertex, or empty
+  std::vector<std::int32_t> triangles; // 3 vertex indices each; empty for a point cloud
+  std::vector<Color> colors;           // per vertex, or empty
+  bool transformed = false;            // its matrix is not the identity
+  bool renumbered = false;             // deleted vertices were left out of the numbering
+
+  std::size_t vertex_count() const { return points.size() / 3; }
+};
+
+// Values from `low` (red) to `high` (blue) of a colour ramp.
+struct Ramp {
+  bool wanted = false;
+  double low = 0, high = 0;
+};
+
+// A layer that the host is to add.
+struct NewLayer {
+  std::string suffix;                   // "balls": its name is the source's name and this
+  std::vector<double> points;           // 3 per vertex
+  std::vector<std::int32_t> triangles;  // may be empty
+  std::vector<std::uint8_t> inner_edge; // per corner: 1 if the edge from it is inside a polygon
+  std::vector<double> radius, quality;  // per vertex
+  std::vector<Color> colors;            // per vertex, or empty
+  bool hide_source = false;             // hide the layer it was made from: it would cover this one
+  Ramp ramp;                            // used if there are no colours
+};
+
+// Values for the vertices of the layer that the filter was applied to.
+struct VertexValues {
+  std::vector<double> radius, quality; // per vertex; NaN where there is none
+  Ramp ramp;
+};
+
+struct Outcome {
+  std::vector<NewLayer> layers;     // at most one
+  std::vector<VertexValues> values; // at most one
+  std::vector<std::string> log;     // sentences for the user
+};
+
+// Why a filter did nothing. The message is one sentence for the user.
+class Failure : public std::runtime_error {
+public:
+  using std::runtime_error::runtime_error;
+};
+
+} // namespace vbm_filters

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The order matters: MeshLab's progress callback handles events, so that between two calls of it
+// the user may edit the layer, remove it, or press Apply again. Hence: copy the layer out, compute
+// on the copy, and touch the document only when no callback comes any more, after looking whether
+// the layer is still the one that was copied.
+#include "apply.h"
+
+#include "mesh_copy.h"
+
+namespace vbm_meshlab {
+
+using vbm_filters::Failure;
+using vbm_filters::NewLayer;
+using vbm_filters::Outcome;
+using vbm_filters::VertexValues;
+
+namespace {
+
+class BusyGuard {
+public:
+  explicit BusyGuard(bool &busy) : busy_(busy) {
+    if (busy_) throw Failure("A Voronoi Balls filter is running already: wait until it is done.");
+    busy_ = true;
+    owner_ = true;
+  }
+  ~BusyGuard() {
+    if (owner_) busy_ = false;
+  }
+  BusyGuard(const BusyGuard &) = delete;
+  BusyGuard &operator=(const BusyGuard &) = delete;
+
+private:
+  bool &busy_;
+  bool owner_ = false;
+};
+
+void add_layer(MeshDocument &document, const Source &source, const NewLayer &result) {
+  const int current = document.mm() ? document.mm()->id() : -1;
+  const QString label = source.name + " " + QString::fromStdString(result.suffix);
+  MeshModel *layer = document.addNewMesh(QString(), label, true);
+  try {
+    fill(*layer, result);
+    layer->cm.Tr = source.matrix;
+  } catch (...) {
+    delete_layer(document, layer);
+    if (current >= 0) document.setCurrentMesh(current);
+    throw;
+  }
+  // Last, when nothing can fail any more. The layer may be gone by now.
+  if (result.hide_source && document.getMesh(source.id)) document.setVisible(source.id, false);
+}
+
+void write_values(MeshDocument &document, const Source &source, const VertexValues &values) {
+  MeshModel *layer = document.getMesh(source.id);
+  if (!layer) throw Failure("The layer was removed while the filter ran: nothing was changed.");
+  const auto &vertices = layer->cm.vert;
+  bool same = vertices.size() == source.places;
+  for (std::size_t i = 0; same && i < source.place.size(); ++i)
+    same = !vertices[source.place[i]].IsD();
+  if (!same)
+    throw Failure("The layer was changed while the filter ran: nothing was written to it.");
+  write(*layer, source, values);
+}
+
+void run(const vbm_filters::Filter &filter, const vbm_filters::Values &values,
+         MeshDocument &document, vcg::CallBackPos *callback, const Log &log) {
+  if (!document.mm()) throw Failure("There is no layer to work on: open a mesh first.");
+  const Source source = copy_out(*document.mm());
+
+  const Outcome outcome =
+      vbm_filters::run(filter, source.layer, values, [callback](int percent, const char *stage) {
+        return !callback || callback(percent, stage);
+      });
+  for (const NewLayer &layer : outcome.layers) add_layer(document, source, layer);
+  for (const VertexValues &written : outcome.values) write_values(document, source, written);
+  for (const std::string &line : outcome.log) log(false, line);
+}
+
+} // namespace
+
+void Applier::apply(const vbm_filters::Filter &filter, const vbm_filters::Values &values,
+                    MeshDocument &document, vcg::CallBackPos *callback, const Log &log) {
+  // An exception that leaves a filter stops MeshLab, or leaves it waiting for ever. And scripts
+  // only ever see the log, so every reason goes there too.
+  std::string message;
+  try {
+    BusyGuard guard(busy_);
+    run(filter, values, document, callback, log);
+    return;
+  } catch (const std::bad_alloc &) {
+    message = "There is not enough memory for this.";
+  } catch (const std::exception &error) {
+    message = error.what();
+  } catch (...) {
+    message = "The filter failed for an unknown reason.";
+  }
+  log(true, std::string(filter.name) + ": " + message);
+  throw Failure(message);
+}
+
+} // namespace vbm_meshlab
