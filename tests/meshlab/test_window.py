@@ -1,0 +1,167 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The filters as a person uses them: in MeshLab's window, from its search box, with its dialog.
+
+Leaves photographs of the whole screen in VBM_MESHLAB_SHOTS. Run as a program with a mesh file, the name
+of a filter and that of a picture, it takes one for the documentation.
+"""
+
+import contextlib
+import os
+import pathlib
+import re
+import shutil
+import subprocess
+import sys
+import time
+
+import numpy as np
+import pytest
+
+from models import torus, write_ply
+
+MESHLAB = pathlib.Path(os.environ["VBM_MESHLAB_TREE"]) / "usr/bin/meshlab"
+TOOLS = ["Xvfb", "openbox", "xdotool", "import"]
+# On a lower screen MeshLab cuts the bottom of its taller dialogs.
+WIDTH, HEIGHT = 1900, 1050
+
+
+def wait(condition, what, seconds=60):
+    end = time.monotonic() + seconds
+    while time.monotonic() < end:
+        found = condition()
+        if found:
+            return found
+        time.sleep(0.2)
+    raise AssertionError(f"waited {seconds} s for {what}")
+
+
+class Screen:
+    """A screen nobody sees, with a window manager."""
+
+    def __init__(self, stack):
+        read, write = os.pipe()
+        self.start(stack, ["Xvfb", "-displayfd", str(write), "-screen", "0", f"{WIDTH}x{HEIGHT}x24", "+extension", "GLX"],
+                   pass_fds=[write])
+        os.close(write)
+        with os.fdopen(read) as display:
+            self.environment = dict(os.environ, DISPLAY=":" + display.readline().strip(), LIBGL_ALWAYS_SOFTWARE="1")
+        self.start(stack, ["openbox"])
+
+    def start(self, stack, command, **options):
+        process = subprocess.Popen(command, env=getattr(self, "environment", None), stderr=subprocess.STDOUT,
+                                   stdout=options.pop("stdout", subprocess.DEVNULL), **options)
+
+        def stop():
+            process.kill()
+            process.wait()
+        stack.callback(stop)
+        return process
+
+    def do(self, *arguments):
+        done = subprocess.run(["xdotool", *map(str, arguments)], env=self.environment, capture_output=True, text=True)
+        return done.stdout.split()
+
+    def window(self, name, seconds=60):
+        return wait(lambda: self.do("search", "--onlyvisible", "--name", name), f"the window {name}", seconds)[-1]
+
+    def geometry(self, window):
+        said = self.do("getwindowgeometry", "--shell", window)
+        return [int(dict(line.split("=") for line in said)[key]) for key in ("X", "Y", "WIDTH", "HEIGHT")]
+
+    def click(self, x, y):
+        self.do("mousemove", int(x), int(y), "click", 1)
+
+    def photograph(self, path):
+        subprocess.run(["import", "-window", "root", str(path)], env=self.environment, check=True)
+        pixels = subprocess.run(["convert", str(path), "rgb:-"], check=True, capture_output=True).stdout
+        return np.frombuffer(pixels, np.uint8).reshape(HEIGHT, WIDTH, 3).astype(int)
+
+
+class Window:
+    """MeshLab with a file opened."""
+
+    def __init__(self, stack, screen, file, log):
+        self.screen, self.log = screen, log
+        with open(log, "wb") as output:
+            self.process = screen.start(stack, [str(MESHLAB), str(file)], stdout=output, cwd="/")
+        wait(lambda: "All files opened" in self.said(), "MeshLab to open the file")
+        self.main = screen.window("MeshLab 20.*Project_1")
+        time.sleep(1)
+
+    def said(self):
+        assert self.process.poll() is None, f"MeshLab ended with {self.process.returncode}: {self.log.read_text()}"
+        return self.log.read_text(errors="replace")
+
+    def open_dialog(self, filter_name):
+        """By the search box: Ctrl+F, the name, the first of what it finds."""
+        title = f"^Voronoi Balls: {filter_name}$"
+        for _ in range(3): # on a busy machine the box can miss a key
+            self.screen.do("windowactivate", self.main, "windowfocus", self.main)
+            time.sleep(0.5)
+            self.screen.do("key", "--delay", 50, "ctrl+f")
+            time.sleep(1)
+            self.screen.do("type", "--delay", 40, filter_name)
+            time.sleep(1.5)
+            self.screen.do("key", "Down")
+            time.sleep(0.5)
+            self.screen.do("key", "Return")
+            with contextlib.suppress(AssertionError):
+                dialog = self.screen.window(title, 8)
+                self.screen.do("windowmove", "--sync", dialog, 0, 0) # out of the view's middle
+                return dialog
+            self.screen.do("key", "Escape")
+        raise AssertionError(f"no dialog {filter_name}")
+
+    def press_apply(self, dialog, filter_name):
+        """Return does not press it in 2020.09. It is the dialog's last button."""
+        x, y, width, height = self.screen.geometry(dialog)
+        self.screen.click(x + 0.7 * width, y + height - 22)
+        wait(lambda: re.search(f"Applied filter:? Voronoi Balls: {filter_name}|Filter failed", self.said()), "the filter")
+        time.sleep(2)
+
+
+def coloured(picture):
+    """How many pixels of the view are strongly red, and blue: the two ends of the ramp. The view's own
+    background is blue too, but pale."""
+    view = picture[90:HEIGHT - 130, : WIDTH - 440]
+    red, green, blue = view[..., 0], view[..., 1], view[..., 2]
+    return (int(((red > 120) & (green < 60) & (blue < 60)).sum()),
+            int(((blue > 120) & (green < 60) & (red < 60)).sum()))
+
+
+@pytest.fixture(scope="module")
+def shots():
+    missing = [tool for tool in TOOLS if not shutil.which(tool)]
+    if missing:
+        pytest.skip("not installed: " + ", ".join(missing))
+    folder = pathlib.Path(os.environ.get("VBM_MESHLAB_SHOTS", "."))
+    folder.mkdir(parents=True, exist_ok=True)
+    return folder
+
+
+@pytest.mark.parametrize("filter_name, says", [("Build Ball Model", "New layer: "),
+                                               ("Rebuild Closed Surface", "genus 1"),
+                                               ("Compute Thickness", "Quality from ")])
+def test_from_the_search_box(tmp_path, shots, filter_name, says):
+    write_ply(tmp_path / "ring.ply", *torus(n=240, m=120, vary=0.5))
+    with contextlib.ExitStack() as stack:
+        screen = Screen(stack)
+        window = Window(stack, screen, tmp_path / "ring.ply", tmp_path / "log")
+        name = "meshlab_" + filter_name.lower().replace(" ", "_")
+        dialog = window.open_dialog(filter_name)
+        before = coloured(screen.photograph(shots / f"{name}_before.png"))
+        window.press_apply(dialog, filter_name)
+        after = coloured(screen.photograph(shots / f"{name}.png"))
+        said = window.said()
+    assert says in said and "Filter failed" not in said
+    if filter_name != "Rebuild Closed Surface": # which has no colours of its own
+        assert after[0] > before[0] + 100 and after[1] > before[1] + 100, (before, after)
+
+
+if __name__ == "__main__":
+    mesh, chosen, picture = sys.argv[1:]
+    with contextlib.ExitStack() as cleanup:
+        own = Screen(cleanup)
+        app = Window(cleanup, own, mesh, pathlib.Path(picture).with_suffix(".log"))
+        app.press_apply(app.open_dialog(chosen), chosen)
+        own.photograph(picture)

@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Every single request for memory fails once, in every kind of call: an error, nothing lost, and
+// the context goes on.
+#include "failing_memory.h"
+#include "shapes.h"
+#include "snapshot.h"
+
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace {
+
+using failing_memory::Mode;
+
+/// Requests that fail in one test at most: with more, every so-manieth.
+constexpr long kMostFailures = 1500;
+/// CGAL's Compact_container loses a block of its elements if the list of its blocks cannot grow.
+/// That list grows when it has 1, 2, 4, ... blocks, of vertices and of cells, per triangulation;
+/// each way of failing meets every one of them once.
+constexpr long kBlockLists = 2 * 2 * 6;
+
+class Memory : public testing::Test {
+protected:
+  /// One call that makes a handle. Returns its status, and what the handle shows.
+  using Call = std::function<vbm_status(vbm_context *, std::string *shown)>;
+
+  void fail_everywhere(const char *name, const Call &call) {
+    std::string usual;
+    vbm_context *context = nullptr;
+    ASSERT_EQ(vbm_context_create(&context), VBM_OK);
+    for (int warm = 0; warm < 2; ++warm) // what the libraries keep for ever
+      ASSERT_EQ(call(context, &usual), VBM_OK) << name << ": " << vbm_context_message(context);
+    failing_memory::arm(0, Mode::once);
+    EXPECT_EQ(call(context, nullptr), VBM_OK);
+    const long requests = failing_memory::disarm();
+    vbm_context_free(context);
+    ASSERT_GT(requests, 5) << name;
+    const long stride = std::max(1L, (requests + kMostFailures - 1) / kMostFailures);
+    std::printf("%s: %ld requests for memory\n", name, requests);
+    long refused = 0, leaks = 0;
+    for (const Mode mode : {Mode::once, Mode::from_then_on})
+      for (long k = 1; k <= requests; k += stride) {
+        if (mode == Mode::from_then_on && k % 7 != 1) continue;
+        const long before = failing_memory::blocks;
+        ASSERT_EQ(vbm_context_create(&context), VBM_OK);
+        failing_memory::arm(k, mode);
+        const vbm_status status = call(context, nullptr);
+        failing_memory::disarm();
+        ASSERT_TRUE(failing_memory::failed) << name << " " << k;
+        if (status == VBM_ERROR_MEMORY) {
+          ++refused;
+          ASSERT_EQ(std::string(vbm_context_message(context)).rfind("out of memory", 0), 0u);
+        } else { // done without that memory
+          ASSERT_EQ(status, VBM_OK) << name << " " << k << ": " << vbm_context_message(context);
+        }
+        if (status == VBM_OK || k % 50 == 1) {
+          std::string shown;
+          ASSERT_EQ(call(context, &shown), VBM_OK) << name << " after failing at " << k;
+          ASSERT_TRUE(shown == usual) << name << ": another result after failing at " << k;
+        }
+        vbm_context_free(context);
+        const long lost = failing_memory::blocks - before;
+        ASSERT_TRUE(lost == 0 || lost == 1) << name << " loses " << lost << " blocks at " << k;
+        leaks += lost;
+      }
+    EXPECT_GT(refused, requests / stride / 2) << name;
+    EXPECT_LE(leaks, kBlockLists) << name;
+  }
+
+  /// A call that builds a model.
+  static Call
+  model_of(std::function<vbm_status(vbm_context *, const vbm_build_options *, vbm_model **)> build,
+           vbm_balls balls = VBM_BALLS_POLAR) {
+    return [build, balls](vbm_context *context, std::string *shown) {
+      vbm_build_options options;
+      vbm_build_options_init(&options, sizeof options);
+      options.balls = balls;
+      vbm_model *model = nullptr;
+      const vbm_status status = build(context, &options, &model);
+      EXPECT_EQ(status == VBM_OK, model != nullptr);
+      if (shown && model) *shown = snapshot(model);
+      vbm_model_free(model);
+      return status;
+    };
+  }
+
+  const shapes::Shape torus = shapes::torus(12, 6, 2, .7, .2);
+  const shapes::Shape sphere = shapes::sphere_mesh(6, 10); // exact arithmetic is needed
+  const shapes::Shape box = shapes::box({1, 1, .1});       // refined, as it is thin
+};
+
+TEST_F(Memory, ContextCreation) {
+  const long before = failing_memory::blocks;
+  vbm_context *context = reinterpret_cast<vbm_context *>(this);
+  failing_memory::arm(1, Mode::once);
+  const vbm_status status = vbm_context_create(&context);
+  failing_memory::disarm();
+  EXPECT_EQ(status, VBM_ERROR_MEMORY);
+  EXPECT_EQ(context, nullptr);
+  EXPECT_EQ(failing_memory::blocks, before);
+}
+
+TEST_F(Memory, Points) {
+  fail_everywhere("points", model_of([&](auto *context, auto *options, auto **out) {
+                    return vbm_build_points(context, torus.points.data(), torus.size(), nullptr,
+                                            options, out);
+                  }));
+}
+
+TEST_F(Memory, CospherePointsWithNormals) {
+  fail_everywhere("cospherical points, Voronoi balls",
+                  model_of(
+                      [&](auto *context, auto *options, auto **out) {
+                        return vbm_build_points(context, sphere.points.data(), sphere.size(),
+                                                sphere.normals.data(), options, out);
+                      },
+                      VBM_BALLS_VORONOI));
+}
+
+TEST_F(Memory, MeshWithRefinement) {
+  fail_everywhere("mesh", model_of([&](auto *context, auto *given, auto **out) {
+                    vbm_build_options options = *given;
+                    options.spacing = .5;
+                    return vbm_build_mesh(context, box.points.data(), box.size(), nullptr,
+                                          box.triangles.data(), box.triangles.size(), box.faces(),
+                                          &options, out);
+                  }));
+}
+
+TEST_F(Memory, Volume) {
+  std::vector<float> values;
+  for (int i = 0; i < 216; ++i)
+    values.push_back(
+        float(2.1 - shapes::distance({double(i / 36), double(i / 6 % 6), double(i % 6)},
+                                     {2.6, 2.4, 2.5})));
+  const double voxel[3] = {1, 1, 1};
+  fail_everywhere("volume", model_of([&](auto *context, auto *options, auto **out) {
+                    return vbm_build_volume(context, values.data(), VBM_SCALAR_FLOAT, 6, 6, 6,
+                                            voxel, nullptr, 0, options, out);
+                  }));
+}
+
+TEST_F(Memory, RangeScan) {
+  const std::vector<double> scanners = {9, 0, 0, -9, 0, 0};
+  std::vector<int32_t> scanner;
+  for (std::size_t i = 0; i < sphere.size(); ++i) scanner.push_back(sphere.points[3 * i] < 0);
+  fail_everywhere("range scan", model_of([&](auto *context, auto *options, auto **out) {
+                    return vbm_build_range_scan(context, sphere.points.data(), sphere.size(),
+                                                scanners.data(), 2, scanner.data(), options, out);
+                  }));
+}
+
+TEST_F(Memory, Errors) {
+  // Where there is no memory even for the message, there is a status.
+  shapes::Shape bad = torus;
+  for (std::size_t i = 0; i < bad.points.size(); i += 2) bad.points[i] = 0. / 0.;
+  for (long k = 1; k < 20; ++k) {
+    const long before = failing_memory::blocks;
+    vbm_context *context = nullptr;
+    ASSERT_EQ(vbm_context_create(&context), VBM_OK);
+    vbm_model *model = nullptr;
+    failing_memory::arm(k, Mode::from_then_on);
+    const vbm_status status =
+        vbm_build_points(context, bad.points.data(), bad.size(), nullptr, nullptr, &model);
+    failing_memory::disarm();
+    EXPECT_TRUE(status == VBM_ERROR_INPUT || status == VBM_ERROR_MEMORY) << status;
+    EXPECT_NE(std::string(vbm_context_message(context)), "");
+    vbm_context_free(context);
+    EXPECT_EQ(failing_memory::blocks, before);
+  }
+}
+
+TEST_F(Memory, Surfaces) {
+  vbm_context *maker = nullptr;
+  vbm_model *model = nullptr;
+  ASSERT_EQ(vbm_context_create(&maker), VBM_OK);
+  ASSERT_EQ(vbm_build_points(maker, torus.points.data(), torus.size(), nullptr, nullptr, &model),
+            VBM_OK);
+  const auto surface_of = [&](auto make) {
+    return [make](vbm_context *context, std::string *shown) {
+      vbm_surface *surface = nullptr;
+      const vbm_status status = make(context, &surface);
+      EXPECT_EQ(status == VBM_OK, surface != nullptr);
+      if (shown && surface) *shown = snapshot(surface);
+      vbm_surface_free(surface);
+      return status;
+    };
+  };
+  fail_everywhere("surface", surface_of([&](vbm_context *context, vbm_surface **out) {
+                    return vbm_model_surface(context, model, out);
+                  }));
+  std::vector<uint8_t> keep(vbm_model_inner_count(model), 1);
+  keep[0] = 0;
+  fail_everywhere("power crust", surface_of([&](vbm_context *context, vbm_surface **out) {
+                    return vbm_model_power_crust(context, model, keep.data(), keep.size(), out);
+                  }));
+  vbm_model_free(model);
+  vbm_context_free(maker);
+}
+
+} // namespace

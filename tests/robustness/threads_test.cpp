@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Contexts in several threads at once, and finished models read by several threads. Most telling
+// under ThreadSanitizer.
+#include "outcome.h"
+#include "snapshot.h"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <functional>
+#include <thread>
+#include <vector>
+
+namespace {
+
+/// Run all of them at the same time.
+void at_once(const std::vector<std::function<void()>> &bodies) {
+  std::atomic<std::size_t> ready{0};
+  std::vector<std::thread> threads;
+  for (const auto &body : bodies)
+    threads.emplace_back([&] {
+      ++ready;
+      while (ready < bodies.size()) std::this_thread::yield();
+      body();
+    });
+  for (std::thread &thread : threads) thread.join();
+}
+
+TEST(Threads, ContextsAreIndependent) {
+  // Kinds of input that use different parts of the library, exact arithmetic (a box's samples are
+  // cospherical by the thousand) and errors included.
+  const shapes::Shape torus = shapes::torus(24, 12, 2, .6, .2);
+  const shapes::Shape box = shapes::box({1, 2, 3});
+  const shapes::Shape sphere = shapes::sphere_mesh(12, 24);
+  shapes::Shape bad = sphere;
+  bad.points[100] = 0. / 0.;
+  const std::vector<Build> builds = {points_of(torus), mesh_of(box), points_of(sphere, true),
+                                     points_of(bad)};
+  std::vector<std::string> alone;
+  for (const Build &build : builds) alone.push_back(run(build).bytes);
+  std::vector<std::function<void()>> bodies;
+  for (std::size_t i = 0; i < builds.size(); ++i)
+    bodies.push_back([&, i] {
+      for (int round = 0; round < 2; ++round) {
+        const std::size_t which = (i + std::size_t(round)) % builds.size();
+        const Outcome outcome = run(builds[which]);
+        EXPECT_EQ(outcome.problems, "");
+        EXPECT_TRUE(outcome.bytes == alone[which]) << "another result in a thread: " << which;
+      }
+    });
+  at_once(bodies);
+}
+
+TEST(Threads, OneModelManyReaders) {
+  const shapes::Shape torus = shapes::torus(30, 14, 2, .6, .2);
+  vbm_context *context = nullptr;
+  ASSERT_EQ(vbm_context_create(&context), VBM_OK);
+  vbm_model *model = nullptr;
+  ASSERT_EQ(points_of(torus)(context, nullptr, &model), VBM_OK) << vbm_context_message(context);
+  const auto surfaces = [&](const std::vector<uint8_t> &keep) {
+    std::string bytes;
+    vbm_context *own = nullptr;
+    EXPECT_EQ(vbm_context_create(&own), VBM_OK);
+    vbm_surface *surface = nullptr;
+    EXPECT_EQ(vbm_model_surface(own, model, &surface), VBM_OK);
+    bytes += snapshot(surface);
+    vbm_surface_free(surface);
+    EXPECT_EQ(vbm_model_power_crust(own, model, keep.data(), keep.size(), &surface), VBM_OK)
+        << vbm_context_message(own);
+    bytes += snapshot(surface);
+    vbm_surface_free(surface);
+    vbm_context_free(own);
+    return bytes + snapshot(model);
+  };
+  // Different balls are kept in each thread.
+  std::vector<std::vector<uint8_t>> keep(3);
+  for (std::size_t t = 0; t < keep.size(); ++t) {
+    keep[t].assign(vbm_model_inner_count(model), 1);
+    for (std::size_t b = 0; b < t * keep[t].size() / 4; ++b) keep[t][b] = 0;
+  }
+  std::vector<std::string> alone, together(keep.size());
+  for (const auto &mask : keep) alone.push_back(surfaces(mask));
+  std::vector<std::function<void()>> bodies;
+  for (std::size_t t = 0; t < keep.size(); ++t)
+    bodies.push_back([&, t] { together[t] = surfaces(keep[t]); });
+  at_once(bodies);
+  for (std::size_t t = 0; t < keep.size(); ++t)
+    EXPECT_TRUE(together[t] == alone[t]) << "another result beside other threads: " << t;
+  vbm_model_free(model);
+  vbm_context_free(context);
+}
+
+TEST(Threads, ProgressComesOnTheCallingThread) {
+  const shapes::Shape torus = shapes::torus(60, 30, 2, .6, .2);
+  std::thread worker([&] {
+    vbm_context *context = nullptr;
+    ASSERT_EQ(vbm_context_create(&context), VBM_OK);
+    struct State {
+      std::thread::id caller = std::this_thread::get_id();
+      int calls = 0, elsewhere = 0;
+    } state;
+    vbm_context_set_progress(
+        context,
+        [](void *user, double, const char *) {
+          State &s = *static_cast<State *>(user);
+          ++s.calls;
+          s.elsewhere += std::this_thread::get_id() != s.caller;
+          return 0;
+        },
+        &state);
+    vbm_model *model = nullptr;
+    EXPECT_EQ(mesh_of(torus)(context, nullptr, &model), VBM_OK);
+    vbm_surface *surface = nullptr;
+    EXPECT_EQ(vbm_model_power_crust(context, model, nullptr, 0, &surface), VBM_OK);
+    EXPECT_GT(state.calls, 5);
+    EXPECT_EQ(state.elsewhere, 0);
+    vbm_surface_free(surface);
+    vbm_model_free(model);
+    vbm_context_free(context);
+  });
+  worker.join();
+}
+
+} // namespace
