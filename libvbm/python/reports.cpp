@@ -31,7 +31,7 @@ const Field<M> kModelFields[] = {
      [](const M &r) -> py::object { return py::bool_(r.flipped != 0); }},
     VBM_FIELD(M, input_points, "Vertices, points or voxels given."),
     VBM_FIELD(M, dropped, "Points left out because they were not finite or no face used them."),
-    VBM_FIELD(M, merged, "Points merged into an earlier one at the same place."),
+    VBM_FIELD(M, merged, "Points merged into an earlier one within 2e-11 of the whole's size."),
     VBM_FIELD(M, added, "Samples added on faces and edges."),
     VBM_FIELD(M, samples, "Samples in the Delaunay triangulation."),
     VBM_FIELD(M, cells, "Delaunay tetrahedra."),

@@ -98,9 +98,11 @@ std::vector<Case> meshes() {
        {},
        either({all({works(), notes({"not orientable"}), notes({"open"})}),
                fails(VBM_ERROR_NO_INTERIOR)})},
+      // Vertices of the two sheets that cross are one to rounding: they branch along a circle.
       {"mesh/m11_klein.off",
        {},
-       either({all({works(), notes({"not orientable"})}), fails(VBM_ERROR_NO_INTERIOR)})},
+       either({all({works(), notes({"not orientable"})}),
+               all({works(), notes({"three or more faces"})}), fails(VBM_ERROR_NO_INTERIOR)})},
       {"mesh/m12_nested_alt.off",
        {},
        all({solid(3, 0), volume_in(ball_volume * (1 - .343 + .064), 2, 2, 2, .06)})},

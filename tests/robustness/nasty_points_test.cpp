@@ -114,7 +114,7 @@ std::vector<Case> cases() {
       {"pts/d01_dup2.xyz", all({sphere(), merged(1106)})},
       // The sphere's cap, every point a hundred times.
       {"pts/d02_dup100.xyz", all({works(), merged(19800)})},
-      {"pts/d03_neardup.xyz", rounded_sphere()},
+      {"pts/d03_neardup.xyz", all({sphere(), merged(1106)})},
   };
   for (const char *e :
        {"-300", "-160", "-100", "-20", "-9", "+9", "+20", "+100", "+150", "+160", "+300"})

@@ -203,7 +203,7 @@ typedef struct vbm_model_report {
   int32_t flipped;            /* 1: the mesh was inside out and was taken as upright              */
   uint64_t input_points;      /* vertices, points or voxels given                                 */
   uint64_t dropped;           /* points left out because they were not finite or no face used them */
-  uint64_t merged;            /* points merged into an earlier one at the same place              */
+  uint64_t merged;            /* points merged into an earlier one within 2e-11 of the size       */
   uint64_t added;             /* samples added on faces and edges                                 */
   uint64_t samples;           /* samples in the Delaunay triangulation                            */
   uint64_t cells;             /* Delaunay tetrahedra                                              */

@@ -1,21 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Circumcentres in doubles relative to one vertex, and where that is ill-conditioned, numerators
-// and denominator in CGAL's exact ring arithmetic, rounded once. The ring type allocates with
-// operator new only, so that running out of memory is an exception and not an abort inside GMP.
+// and denominator in CGAL's exact ring arithmetic, rounded once.
 #include "balls/circumcenter.h"
 
+#include "core/exact.h"
 #include "core/tolerances.h"
-
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Number_types/internal/Exact_type_selector.h>
 
 #include <algorithm>
 
 namespace vbm::impl {
 
 namespace {
-
-using Exact = CGAL::internal::Exact_ring_selector<double>::Type;
 
 /// Numerators n and denominator d with centre - p0 = n / d, for edges a, b, c from p0.
 template <class T> struct Quotients { T x, y, z, d; };
@@ -33,12 +28,13 @@ template <class T> Quotients<T> center_offset(const T (&a)[3], const T (&b)[3], 
 }
 
 Vec3 exact_offset(const Vec3 &p, const Vec3 &q, const Vec3 &r, const Vec3 &s) {
-  const Exact o[3] = {Exact(p.x), Exact(p.y), Exact(p.z)};
-  const Exact a[3] = {Exact(q.x) - o[0], Exact(q.y) - o[1], Exact(q.z) - o[2]};
-  const Exact b[3] = {Exact(r.x) - o[0], Exact(r.y) - o[1], Exact(r.z) - o[2]};
-  const Exact c[3] = {Exact(s.x) - o[0], Exact(s.y) - o[1], Exact(s.z) - o[2]};
+  const auto scaled = [](double x) { return Exact(x * kSampleScale); };
+  const Exact o[3] = {scaled(p.x), scaled(p.y), scaled(p.z)};
+  const Exact a[3] = {scaled(q.x) - o[0], scaled(q.y) - o[1], scaled(q.z) - o[2]};
+  const Exact b[3] = {scaled(r.x) - o[0], scaled(r.y) - o[1], scaled(r.z) - o[2]};
+  const Exact c[3] = {scaled(s.x) - o[0], scaled(s.y) - o[1], scaled(s.z) - o[2]};
   const auto n = center_offset(a, b, c);
-  const double d = CGAL::to_double(n.d);
+  const double d = CGAL::to_double(n.d) * kSampleScale;
   return {CGAL::to_double(n.x) / d, CGAL::to_double(n.y) / d, CGAL::to_double(n.z) / d};
 }
 

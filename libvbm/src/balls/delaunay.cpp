@@ -5,6 +5,7 @@
 #include "balls/delaunay.h"
 
 #include "core/error.h"
+#include "core/exact.h"
 #include "core/tolerances.h"
 
 #include <CGAL/Delaunay_triangulation_3.h>
@@ -60,8 +61,13 @@ int32_t group_of(const Triangulation &triangulation, Triangulation::Cell_handle 
   return least;
 }
 
-Point to_point(const Vec3 &p) { return {p.x, p.y, p.z}; }
-Vec3 to_vec(const Point &p) { return {p.x(), p.y(), p.z()}; }
+/// The triangulation's points are scaled, so that exact predicates take no memory.
+Point to_point(const Vec3 &p) {
+  return {p.x * kSampleScale, p.y * kSampleScale, p.z * kSampleScale};
+}
+Vec3 to_vec(const Point &p) {
+  return {p.x() / kSampleScale, p.y() / kSampleScale, p.z() / kSampleScale};
+}
 
 } // namespace
 

@@ -26,7 +26,12 @@ BallSet merge_cospherical(const Cells &cells, const std::vector<Vec3> &samples,
     for (int32_t v : cells.vertex[cells.neighbor[c][i]]) far += v;
     if (far >= cells.samples) return false;
     const Ball &b = circumballs.ball[ball];
-    return std::fabs(distance(samples[far], b.center) - b.radius) < kCospherical;
+    const double off = std::fabs(distance(samples[far], b.center) - b.radius);
+    if (!(off < kCospherical)) return false;
+    for (int32_t v : cells.vertex[c])
+      if (v < cells.samples && off > kCosphericalShare * distance(samples[far], samples[v]))
+        return false;
+    return true;
   };
 
   const int32_t count = int32_t(cells.size());

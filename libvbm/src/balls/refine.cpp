@@ -7,6 +7,7 @@
 #include "balls/refine.h"
 
 #include "balls/stars.h"
+#include "core/grid.h"
 #include "sampling/add.h"
 #include "surface/boundary.h"
 
@@ -58,7 +59,8 @@ public:
   }
 
 private:
-  void add(const Vec3 &point, const Vec3 &normal, double apart) {
+  void add(const Vec3 &place, const Vec3 &normal, double apart) {
+    const Vec3 point = on_grid(place, kSampleGrid);
     if (samples_.position.size() >= limit_ || !delaunay_.insert_apart(point, apart)) return;
     add_sample(samples_, point, normal);
     ++samples_.refined;

@@ -26,6 +26,11 @@ inline constexpr double kIllConditioned = 1e4;
 /// the sphere of the better conditioned of the two: well above rounding, well below any sampling.
 inline constexpr double kCospherical = 1e-11;
 
+/// Ratio of that distance to the far vertex's distance from the tetrahedron's own, above which it
+/// is not on the sphere: a near duplicate lies near every sphere through its neighbour, on either
+/// side of the surface.
+inline constexpr double kCosphericalShare = 1e-4;
+
 /// Ratio. The power diagram sees every inner ball's radius smaller and every outer one's larger, by
 /// its own pseudo-random part of this. Balls that touch a common sample make power tests of nearly
 /// zero, which cost exact arithmetic and tell nothing; so changed, doubles decide nearly all of

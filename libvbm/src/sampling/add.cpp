@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "sampling/add.h"
 
+#include "core/grid.h"
+
 namespace vbm::impl {
 
-void add_new_sample(Samples &samples, PointTable &table, const Vec3 &position, const Vec3 &normal) {
+void add_new_sample(Samples &samples, PointTable &table, const Vec3 &place, const Vec3 &normal) {
+  const Vec3 position = on_grid(place, kSampleGrid);
   const int32_t next = static_cast<int32_t>(samples.position.size());
   if (table.find_or_add(samples.position, position, next) == next)
     add_sample(samples, position, normal);

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "sampling/merge.h"
 
+#include "core/grid.h"
 #include "core/progress.h"
 #include "sampling/checks.h"
-#include "sampling/point_table.h"
+#include "sampling/near_table.h"
 #include "sampling/tolerances.h"
 
 #include <algorithm>
@@ -55,9 +56,8 @@ void note_precision(std::size_t alike, Samples &samples) {
                             std::to_string(static_cast<long long>(steps)) +
                             " different values across the shape");
   } else if (alike) {
-    samples.notes.push_back(
-        counted(alike, "point", "points") +
-        " became the same as another beside the size of the whole: precision is lost");
+    samples.notes.push_back(counted(alike, "point", "points") +
+                            " became the same as another nearer than 2e-11 of the whole's size");
   }
 }
 
@@ -75,20 +75,21 @@ void merge_points(const double *points, std::size_t count, const std::vector<uin
   samples.input_position.reserve(kept);
   samples.input_sample.assign(count, -1);
 
-  PointTable table(kept);
-  std::size_t alike = 0; // different in the input, the same in the unit frame
+  NearTable table(kept);
+  std::size_t alike = 0; // different in the input
   for (std::size_t i = 0; i < count; ++i) {
     if ((i & 255) == 0) progress.tick(i, count);
     if (!keep.empty() && !keep[i]) continue;
-    const Vec3 p = point_at(points, i), u = samples.frame.to_unit(p);
-    const int32_t next = static_cast<int32_t>(samples.position.size());
-    const int32_t s = table.find_or_add(samples.position, u, next);
-    samples.input_sample[i] = s;
-    if (s == next) {
+    const Vec3 p = point_at(points, i), u = on_grid(samples.frame.to_unit(p), kSampleGrid);
+    const int32_t s = table.find(samples.position, u);
+    if (s < 0) {
+      samples.input_sample[i] = static_cast<int32_t>(samples.position.size());
       samples.position.push_back(u);
       samples.input.push_back(static_cast<int32_t>(i));
       samples.input_position.push_back(p);
+      table.add(samples.position);
     } else {
+      samples.input_sample[i] = s;
       ++samples.merged;
       alike += !(samples.input_position[s] == p);
     }

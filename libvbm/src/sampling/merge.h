@@ -13,10 +13,10 @@ namespace vbm::impl {
 class Progress;
 
 /// Fill frame, position, input, input_position, input_sample, input_points, dropped and merged of
-/// `samples` from count x 3 numbers. Points that are the same in the unit frame (so 0 and -0, too)
-/// become one sample, at the first of them; samples keep the points' order. Points with 0 in `keep`
-/// (one byte a point, or empty: all) are left out and may be anything. Appends a note where merging
-/// or the distance from the origin costs precision. Linear time; no result depends on hash order.
+/// `samples` from count x 3 numbers. Points within kNearDuplicate of a sample (so 0 and -0, too)
+/// become that one, others a new one; samples keep the points' order. Points with 0 in `keep` (one
+/// byte a point, or empty: all) are left out and may be anything. Appends a note where merging or
+/// the distance from the origin costs precision. Linear time; no result depends on hash order.
 void merge_points(const double *points, std::size_t count, const std::vector<uint8_t> &keep,
                   Samples &samples, Progress &progress);
 

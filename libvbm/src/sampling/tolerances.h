@@ -18,6 +18,10 @@ inline constexpr uint64_t kDefaultSampleLimit = 20'000'000;
 /// note.
 inline constexpr double kFewSteps = 1 << 17;
 
+/// Unit lengths. Points within this of each other are one sample: circumscribed balls cannot be told
+/// apart at such distances (kCospherical), and the ball between two such points has no meaning.
+inline constexpr double kNearDuplicate = 2e-11;
+
 /// Sum of unit normals shorter than this (no unit) is of opposite normals: the direction is
 /// unknown.
 inline constexpr double kOppositeNormals = 1e-9;

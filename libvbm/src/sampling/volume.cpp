@@ -6,6 +6,7 @@
 #include "sampling/volume.h"
 
 #include "core/error.h"
+#include "core/grid.h"
 #include "core/progress.h"
 #include "sampling/checks.h"
 #include "sampling/merge.h"
@@ -211,7 +212,7 @@ Vec3 place_samples(const Grid &grid, Samples &samples) {
   samples.input_position.reserve(samples.position.size());
   for (Vec3 &p : samples.position) {
     samples.input_position.push_back(p + grid.origin);
-    p = local.to_unit(p);
+    p = on_grid(local.to_unit(p), kSampleGrid);
   }
   samples.input.assign(samples.position.size(), -1);
   samples.input_sample.resize(samples.position.size());

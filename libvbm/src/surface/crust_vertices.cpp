@@ -130,7 +130,7 @@ private:
     const Ball &b = balls_[ball];
     // With the diagram's own radii: where balls are nearly the same ball, the corners that they
     // make with others are where the diagram says, or anywhere.
-    return {b.center.x, b.center.y, b.center.z, changed_radius(b, ball, crust_.is_inner(ball))};
+    return changed_site(b, ball, crust_.is_inner(ball));
   }
 
   Vec3 center(const std::array<int32_t, 4> &ball) const {

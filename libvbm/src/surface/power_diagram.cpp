@@ -12,6 +12,7 @@
 
 #include "core/cells.h"
 #include "core/error.h"
+#include "core/grid.h"
 #include "core/hash.h"
 #include "core/prefetch.h"
 #include "core/progress.h"
@@ -232,9 +233,11 @@ private:
 
 } // namespace
 
-double changed_radius(const Ball &ball, int32_t b, bool inner) {
+Site changed_site(const Ball &ball, int32_t b, bool inner) {
   const double part = 0.5 + 0.5 * double(hash_index(b) >> 11) * 0x1p-53;
-  return ball.radius * (1 + kPowerChange * (inner ? -part : part));
+  const double radius = ball.radius * (1 + kPowerChange * (inner ? -part : part));
+  const Vec3 c = on_grid(ball.center, kSiteGrid);
+  return {c.x, c.y, c.z, on_grid(radius, kSiteGrid)};
 }
 
 PowerDiagram power_diagram(const std::vector<Ball> &balls, std::size_t inner, Progress &progress) {
@@ -258,8 +261,7 @@ PowerDiagram power_diagram(const std::vector<Ball> &balls, std::size_t inner, Pr
   for (const Vec3 &c : diagram.corner) sites.push_back({c.x, c.y, c.z, 0});
   for (int32_t b : order) {
     progress.tick(0, 1);
-    const Vec3 &c = balls[b].center;
-    sites.push_back({c.x, c.y, c.z, changed_radius(balls[b], b, std::size_t(b) < inner)});
+    sites.push_back(changed_site(balls[b], b, std::size_t(b) < inner));
   }
 
   Builder builder(std::move(sites));

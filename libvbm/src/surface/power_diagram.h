@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/model.h"
+#include "surface/power_predicates.h"
 
 #include <array>
 #include <cstdint>
@@ -26,8 +27,8 @@ struct PowerDiagram {
   std::vector<int32_t> hidden; // balls without a cell, ascending
 };
 
-/// The radius the diagram sees ball number b with: see kPowerChange.
-double changed_radius(const Ball &ball, int32_t b, bool inner);
+/// Ball number b as the diagram sees it: on kSiteGrid, and with another radius (kPowerChange).
+Site changed_site(const Ball &ball, int32_t b, bool inner);
 
 /// The first `inner` balls are inner ones: where inner and outer balls only touch, the outer ones
 /// have the space between them. Ticks each ball. Throws Error(VBM_ERROR_LIMIT) beyond half a

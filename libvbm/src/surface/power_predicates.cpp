@@ -2,25 +2,24 @@
 #include "surface/power_predicates.h"
 
 #include "core/double_double.h"
-
-#include <CGAL/Number_types/internal/Exact_type_selector.h>
+#include "core/exact.h"
 
 namespace vbm::impl {
 namespace {
-
-/// Sums and products of doubles without any error. Not GMP's own types: those abort when out of
-/// memory.
-using Exact = CGAL::internal::Exact_ring_selector<double>::Type;
 
 int sign_of(const Exact &value) { return int(CGAL::sign(value)); }
 
 template <class Number> struct Row { Number x, y, z, lift; };
 
+template <class Number> Number number(double x) { return Number(x); }
+template <> Exact number<Exact>(double x) { return Exact(x * kSiteScale); }
+
 template <class Number> Row<Number> row_of(const Site &q, const Site &base) {
-  Row<Number> row{Number(q.x) - Number(base.x), Number(q.y) - Number(base.y),
-                  Number(q.z) - Number(base.z), Number(0.0)};
-  row.lift = row.x * row.x + row.y * row.y + row.z * row.z +
-             (Number(base.r) - Number(q.r)) * (Number(base.r) + Number(q.r));
+  Row<Number> row{number<Number>(q.x) - number<Number>(base.x),
+                  number<Number>(q.y) - number<Number>(base.y),
+                  number<Number>(q.z) - number<Number>(base.z), Number(0.0)};
+  const Number r = number<Number>(q.r), base_r = number<Number>(base.r);
+  row.lift = row.x * row.x + row.y * row.y + row.z * row.z + (base_r - r) * (base_r + r);
   return row;
 }
 
@@ -84,7 +83,7 @@ bool power_center_exact(const Site &a, const Site &b, const Site &c, const Site 
   const auto solve = [&](auto axis) {
     Row<Exact> b1 = rb, c1 = rc, d1 = rd;
     b1.*axis = rb.lift, c1.*axis = rc.lift, d1.*axis = rd.lift;
-    return CGAL::to_double(det3(b1, c1, d1)) / (2 * CGAL::to_double(det));
+    return CGAL::to_double(det3(b1, c1, d1)) / (2 * kSiteScale * CGAL::to_double(det));
   };
   center[0] = a.x + solve(&Row<Exact>::x);
   center[1] = a.y + solve(&Row<Exact>::y);

@@ -18,7 +18,7 @@
 
 namespace vbm::impl {
 
-/// A weighted point: a ball as the power diagram sees it.
+/// A weighted point: a ball as the power diagram sees it. Multiples of kSiteGrid (core/grid.h).
 struct alignas(32) Site {
   double x, y, z, r;
 };
