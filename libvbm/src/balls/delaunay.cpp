@@ -4,10 +4,10 @@
 // points.
 #include "balls/delaunay.h"
 
-#include "core/error.h"
-#include "core/exact.h"
+#include "balls/block_allocator.h"
 #include "core/tolerances.h"
 
+#define CGAL_ALLOCATOR(T) vbm::impl::BlockAllocator<T>
 #include <CGAL/Delaunay_triangulation_3.h>
 #include <CGAL/Delaunay_triangulation_cell_base_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -16,6 +16,9 @@
 #include <CGAL/Triangulation_vertex_base_with_info_3.h>
 #include <CGAL/hilbert_sort.h>
 #include <CGAL/property_map.h>
+
+#include "core/error.h"
+#include "core/exact.h"
 
 #include <boost/iterator/counting_iterator.hpp>
 
@@ -72,10 +75,16 @@ Vec3 to_vec(const Point &p) {
 } // namespace
 
 struct Delaunay::Impl {
-  Triangulation triangulation;
+  Blocks blocks; // outlives the triangulation
+  Triangulation triangulation = make(blocks);
   std::array<Vec3, 8> corner;
   int32_t samples = 0;
   Triangulation::Cell_handle last; // where to look for the next point
+
+  static Triangulation make(Blocks &blocks) {
+    const Blocks::Scope scope(blocks);
+    return Triangulation();
+  }
 
   /// While CGAL fills a hole of up to 128 facets it keeps a table that belongs to the thread, not
   /// to the triangulation. Out of memory in its midst, it would leave the table in disorder for the

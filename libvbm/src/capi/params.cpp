@@ -24,8 +24,8 @@ constexpr const char *kLabelsNames[] = {"auto", "normals", "propagation", "voxel
 constexpr const char *kLabelsLabels[] = {"Automatic", "Normals", "Propagation", "Nearest Voxel",
                                          "Scan Directions"};
 constexpr const char *kLabelsHelps[] = {
-    "The best rule the input offers: normals, then propagation; voxels for volumes, scan "
-    "directions for range scans",
+    ("The best rule the input offers: normals, then propagation; voxels for volumes, scan "
+     "directions for range scans"),
     "Face normals of a mesh, or the normals given with points",
     "From the outside inwards, from ball to ball; no normals needed",
     "The voxel nearest the ball's centre; for volumes",
