@@ -7,6 +7,7 @@
 #include "core/tolerances.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace vbm::impl {
 
@@ -59,11 +60,16 @@ Ball circumball(const Cells &cells, const std::vector<Vec3> &samples, std::size_
   return {p + offset, length(offset)};
 }
 
-Circumballs circumscribe(const Cells &cells, const std::vector<Vec3> &samples, Progress &progress) {
+Circumballs circumscribe(const Cells &cells, const std::vector<Vec3> &samples, Progress &progress,
+                         const std::vector<uint8_t> *only) {
   Circumballs out;
   out.ball.resize(cells.size());
   out.condition.resize(cells.size());
   for (std::size_t i = 0; i < cells.size(); ++i) {
+    if (only && !(*only)[i]) {
+      out.condition[i] = std::numeric_limits<float>::infinity();
+      continue;
+    }
     double condition;
     out.ball[i] = circumball(cells, samples, i, &condition);
     out.condition[i] = float(std::min(condition, 1e30));

@@ -21,7 +21,9 @@ Ball circumball(const Cells &cells, const std::vector<Vec3> &samples, std::size_
                 double *condition);
 
 /// The circumscribed ball of every cell; centres are correct to a few units in the last place of
-/// the tetrahedron's circumradius.
-Circumballs circumscribe(const Cells &cells, const std::vector<Vec3> &samples, Progress &progress);
+/// the tetrahedron's circumradius. Cells with 0 in `only` (per cell; NULL: none) are passed over:
+/// they get a ball of no size and an infinite condition.
+Circumballs circumscribe(const Cells &cells, const std::vector<Vec3> &samples, Progress &progress,
+                         const std::vector<uint8_t> *only = nullptr);
 
 } // namespace vbm::impl

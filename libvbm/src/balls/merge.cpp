@@ -12,8 +12,10 @@
 namespace vbm::impl {
 
 BallSet merge_cospherical(const Cells &cells, const std::vector<Vec3> &samples,
-                          Circumballs circumballs, Progress &progress) {
+                          Circumballs circumballs, Progress &progress,
+                          const std::vector<uint8_t> *only) {
   const std::vector<float> &condition = circumballs.condition;
+  const auto admitted = [&](int32_t c) { return !only || (*only)[c]; };
   const auto better = [&](int32_t a, int32_t b) {
     return condition[a] < condition[b] || (condition[a] == condition[b] && a < b);
   };
@@ -38,9 +40,10 @@ BallSet merge_cospherical(const Cells &cells, const std::vector<Vec3> &samples,
   std::vector<int32_t> seeds; // cells with a neighbour on their sphere
   for (int32_t c = 0; c < count; ++c) {
     progress.tick(c, cells.size());
+    if (!admitted(c)) continue;
     for (int i = 0; i < 4; ++i) {
       const int32_t n = cells.neighbor[c][i];
-      if (n < 0 || !better(c, n) || !on_sphere(c, i, c)) continue;
+      if (n < 0 || !admitted(n) || !better(c, n) || !on_sphere(c, i, c)) continue;
       seeds.push_back(c);
       break;
     }
@@ -58,7 +61,7 @@ BallSet merge_cospherical(const Cells &cells, const std::vector<Vec3> &samples,
       todo.pop_back();
       for (int i = 0; i < 4; ++i) {
         const int32_t n = cells.neighbor[c][i];
-        if (n < 0 || root[n] >= 0 || !on_sphere(c, i, seed)) continue;
+        if (n < 0 || root[n] >= 0 || !admitted(n) || !on_sphere(c, i, seed)) continue;
         root[n] = seed;
         todo.push_back(n);
       }

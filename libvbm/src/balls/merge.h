@@ -17,7 +17,9 @@ struct BallSet {
   std::vector<Ball> ball;
 };
 
+/// Cells with 0 in `only` (per cell; NULL: none) stay alone.
 BallSet merge_cospherical(const Cells &cells, const std::vector<Vec3> &samples,
-                          Circumballs circumballs, Progress &progress);
+                          Circumballs circumballs, Progress &progress,
+                          const std::vector<uint8_t> *only = nullptr);
 
 } // namespace vbm::impl

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "sampling/holes.h"
 
-#include "sampling/disjoint_sets.h"
+#include "core/disjoint_sets.h"
 
 namespace vbm::impl {
 namespace {

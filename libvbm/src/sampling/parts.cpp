@@ -3,7 +3,7 @@
 
 #include "core/progress.h"
 #include "sampling/checks.h"
-#include "sampling/disjoint_sets.h"
+#include "core/disjoint_sets.h"
 #include "sampling/tolerances.h"
 
 #include <algorithm>

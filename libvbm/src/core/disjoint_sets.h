@@ -19,10 +19,12 @@ public:
     while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
     return i;
   }
-  void unite(int32_t i, int32_t j) {
+  /// Whether they were in different sets.
+  bool unite(int32_t i, int32_t j) {
     i = find(i), j = find(j);
     if (i > j) std::swap(i, j);
     parent_[j] = i;
+    return i != j;
   }
   /// Number of every member's set, counted from 0 in the order of their smallest members.
   std::vector<int32_t> numbers(std::size_t &sets) {
