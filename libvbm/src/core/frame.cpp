@@ -26,11 +26,16 @@ Frame frame_of(const double *points, std::size_t count) {
     side = std::max(side, high[a] / 2 - low[a] / 2);
     magnitude = std::max({magnitude, std::fabs(low[a]), std::fabs(high[a])});
   }
+  int largest = 0;
+  if (magnitude > 0) std::frexp(magnitude, &largest);
   if (side > 0) {
     std::frexp(side, &frame.exponent);
     ++frame.exponent;
-  } else if (magnitude > 0) {
-    std::frexp(magnitude, &frame.exponent);
+    // Farther away than this for its size, a box has only one value left along some axis: the points
+    // are flat, whatever the scale, and scaling up further would overflow.
+    frame.exponent = std::max(frame.exponent, largest - 1000);
+  } else {
+    frame.exponent = largest;
   }
   const Frame scale{frame.exponent, {}};
   const Vec3 l = scale.to_unit(low), h = scale.to_unit(high);
