@@ -3,9 +3,14 @@
 #pragma once
 
 #include <pybind11/pybind11.h>
+#include <vbm/vbm.hpp>
 
 namespace vbm::python {
 
+/// A new MedialAxis.
+pybind11::object axis_to_python(Axis axis);
+
+void bind_axis(pybind11::module_ &module);
 void bind_surface(pybind11::module_ &module);
 void bind_model(pybind11::module_ &module);
 void bind_build(pybind11::module_ &module);

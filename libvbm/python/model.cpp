@@ -41,6 +41,15 @@ const char *const kSurfaceErrors =
     "\nReturns a Surface. The GIL is released while it works.\n"
     "Raises NoInteriorError (nothing is left inside), OutOfMemory, Cancelled";
 
+const char *const kAxisDoc =
+    "The medial axis: the Voronoi diagram inside the shape, with all that tells nothing about the "
+    "shape\n"
+    "collapsed away. Its topology is the shape's.\n\n"
+    "  angle  degrees: a piece is axis where the two samples it is equidistant from are seen under "
+    "at\n"
+    "         least this angle, ...\n"
+    "  ratio  ... or are at least this many times farther apart than neighbouring samples\n";
+
 // One byte for every inner ball from a mask or from indices.
 Bytes keep_mask(const Model &model, const py::object &value) {
   const py::array given = py::module_::import("numpy").attr("asarray")(value).cast<py::array>();
@@ -67,14 +76,6 @@ template <class F> py::array_t<double> from_radii(const Model &model, F value) {
   py::array_t<double> result(py::ssize_t(inner.size));
   for (std::size_t i = 0; i < inner.size; ++i) result.mutable_data()[i] = value(inner[i], outer[i]);
   return result;
-}
-
-py::list lines(const std::string &text) {
-  py::list list;
-  for (std::size_t begin = 0, end; (end = text.find('\n', begin)) != std::string::npos;
-       begin = end + 1)
-    list.append(text.substr(begin, end - begin));
-  return list;
 }
 
 // A property that is a view into the model.
@@ -200,6 +201,29 @@ void bind_surfaces(py::class_<Model> &type) {
           .c_str());
 }
 
+void bind_axis_of(py::class_<Model> &type) {
+  const Signature axis(
+      "medial_axis", {{"angle", "45.0", true}, {"ratio", "8.0", true}, {"progress", "None", true}},
+      true);
+  type.def(
+      "medial_axis",
+      [axis](const Model &model, const py::args &args, const py::kwargs &kwargs) {
+        const Arguments given = axis.bind(args, kwargs);
+        AxisOptions options;
+        if (given.given("angle")) options.angle = given["angle"].cast<double>();
+        if (given.given("ratio")) options.ratio = given["ratio"].cast<double>();
+        return axis_to_python(run(given["progress"], [&](Context &context) {
+          return medial_axis(context, model, options);
+        }));
+      },
+      axis.doc(std::string(kAxisDoc) + kProgressDoc +
+               "\nReturns a MedialAxis. Raises ArgumentError, OutOfMemory, Cancelled.\nSource: "
+               "thesis 7.3; Dey, Zhao, \"Approximating the medial axis from the Voronoi "
+               "diagram\nwith "
+               "a convergence guarantee\" (2004).")
+          .c_str());
+}
+
 std::string repr(const Model &model) {
   const vbm_model_report report = model.report();
   return "<vbm.Model: " + counted(report.inner_balls, "inner ball", "inner balls") + ", " +
@@ -220,10 +244,11 @@ void bind_model(py::module_ &module) {
       "report", [](const Model &model) { return to_python(model.report()); },
       "What was found and done while building: a ModelReport.");
   type.def_property_readonly(
-      "notes", [](const Model &model) { return lines(model.notes()); },
+      "notes", [](const Model &model) { return lines_of(model.notes()); },
       "What a user should know about this model: a list of sentences, empty if there is nothing to "
       "say.");
   bind_surfaces(type);
+  bind_axis_of(type);
   type.def("__repr__", &repr);
 }
 

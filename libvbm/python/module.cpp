@@ -36,6 +36,7 @@ PYBIND11_MODULE(vbm, module) {
   bind_errors(module);
   bind_reports(module);
   bind_surface(module);
+  bind_axis(module);
   bind_model(module);
   bind_build(module);
   bind_parameters(module);

@@ -65,6 +65,18 @@ const Field<S> kSurfaceFields[] = {
     VBM_FIELD(S, area, "Area of the triangles."),
     VBM_FIELD(S, volume, "Volume inside; positive."),
 };
+
+using A = vbm_axis_report;
+const Field<A> kAxisFields[] = {
+    VBM_FIELD(A, vertices, "Vertices."),
+    VBM_FIELD(A, triangles, "Triangles."),
+    VBM_FIELD(A, edges, "Edges, those of triangles too."),
+    VBM_FIELD(A, curve_edges, "Edges of no triangle."),
+    VBM_FIELD(A, parts, "Parts."),
+    VBM_FIELD(A, components, "Connected pieces."),
+    VBM_FIELD(A, euler, "Euler characteristic: vertices - edges + triangles."),
+    VBM_FIELD(A, volume, "Share of the shape's volume that what is left stands for, 0 to 1."),
+};
 #undef VBM_FIELD
 
 // The named tuple's class, kept for as long as the process lives. Asking the module by its name
@@ -100,10 +112,20 @@ void bind_reports(py::module_ &module) {
   bind(module, "ModelReport", "What was found and done while a model was built; a named tuple.",
        kModelFields);
   bind(module, "SurfaceReport", "Counts and measures of a surface; a named tuple.", kSurfaceFields);
+  bind(module, "AxisReport", "Counts of a medial axis; a named tuple.", kAxisFields);
 }
 
 py::object to_python(const vbm_model_report &report) { return make(report, kModelFields); }
 py::object to_python(const vbm_surface_report &report) { return make(report, kSurfaceFields); }
+py::object to_python(const vbm_axis_report &report) { return make(report, kAxisFields); }
+
+py::list lines_of(const std::string &text) {
+  py::list list;
+  for (std::size_t begin = 0, end; (end = text.find('\n', begin)) != std::string::npos;
+       begin = end + 1)
+    list.append(text.substr(begin, end - begin));
+  return list;
+}
 
 std::string counted(uint64_t count, const char *singular, const char *plural) {
   return std::to_string(count) + " " + (count == 1 ? singular : plural);

@@ -9,11 +9,15 @@ namespace vbm::python {
 
 namespace py = pybind11;
 
-/// Add ModelReport and SurfaceReport to the module.
+/// Add ModelReport, SurfaceReport and AxisReport to the module.
 void bind_reports(py::module_ &module);
 
 py::object to_python(const vbm_model_report &report);
 py::object to_python(const vbm_surface_report &report);
+py::object to_python(const vbm_axis_report &report);
+
+/// A list of the lines of a text, each of which ends in a newline.
+py::list lines_of(const std::string &text);
 
 /// "1 ball", "12 balls", for __repr__.
 std::string counted(uint64_t count, const char *singular, const char *plural);

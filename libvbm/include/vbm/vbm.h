@@ -297,6 +297,9 @@ typedef struct vbm_surface_report {
 
 VBM_API vbm_status vbm_surface_get_report(const vbm_surface *surface, vbm_surface_report *report);
 
+/* What a user should know about this surface, as vbm_model_notes(). */
+VBM_API const char *vbm_surface_notes(const vbm_surface *surface);
+
 /* Vertices, count x 3. */
 VBM_API const double *vbm_surface_vertices(const vbm_surface *surface, size_t *count);
 /* Triangles, count x 3 vertex indices, counter-clockwise seen from outside. */
@@ -349,5 +352,7 @@ VBM_API vbm_status vbm_param_describe(size_t index, vbm_param *param);
 #ifdef __cplusplus
 }
 #endif
+
+#include "axis.h" /* the medial axis, its parts, simplification */
 
 #endif /* VBM_VBM_H */

@@ -157,6 +157,7 @@ public:
   View<std::int32_t> vertex_sample() const { return view(vbm_surface_vertex_sample); }
   View<std::int32_t> vertex_input() const { return view(vbm_surface_vertex_input); }
   View<double> vertex_radius() const { return view(vbm_surface_vertex_radius); }
+  const char *notes() const { return vbm_surface_notes(handle()); }
 
   vbm_surface_report report() const {
     vbm_surface_report report{};
@@ -336,5 +337,7 @@ inline std::vector<vbm_param> parameters() {
 }
 
 } // namespace vbm
+
+#include <vbm/axis.hpp>
 
 #endif // VBM_VBM_HPP

@@ -58,5 +58,8 @@ vbm_status guarded(vbm_context *context, Handle **out, Body &&body) noexcept {
 /// The caller's options over the defaults: missing fields of an older struct keep their defaults,
 /// fields of a newer one that are not known here are ignored.
 vbm_build_options read_options(const vbm_build_options *options);
+vbm_axis_options read_options(const vbm_axis_options *options);
+vbm_prune_options read_options(const vbm_prune_options *options);
+vbm_axis_surface_options read_options(const vbm_axis_surface_options *options);
 
 } // namespace vbm::impl

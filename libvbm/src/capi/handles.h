@@ -3,10 +3,13 @@
 #pragma once
 
 #include "core/model.h"
+#include "medial/axis.h"
 
 #include <vbm/vbm.h>
 
+#include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 struct vbm_context {
@@ -23,7 +26,15 @@ struct vbm_context {
 };
 
 struct vbm_model {
-  vbm::impl::Model model;
+  explicit vbm_model(vbm::impl::Model &&built)
+      : shared(std::make_shared<const vbm::impl::Model>(std::move(built))), model(*shared) {}
+
+  std::shared_ptr<const vbm::impl::Model> shared; // with the axes made of it
+  const vbm::impl::Model &model;
+};
+
+struct vbm_axis {
+  vbm::impl::Axis axis;
 };
 
 struct vbm_surface {

@@ -19,7 +19,7 @@ vbm_status build(vbm_context *context, const vbm_build_options *options, vbm_mod
   return guarded(context, out, [&](Progress &progress) {
     const vbm_build_options o = read_options(options);
     progress.stage("sampling", 0.05);
-    return new vbm_model{build_model(sample(o, progress), o, progress)};
+    return new vbm_model(build_model(sample(o, progress), o, progress));
   });
 }
 
@@ -61,7 +61,7 @@ vbm_status vbm_build_mesh(vbm_context *context, const double *vertices, size_t v
       Model model = build_model(std::move(samples), o, progress);
       if (!choose || !o.refine || !model.wrong_topology || halved == kMaxHalvings ||
           !(model.report.spacing > 0))
-        return new vbm_model{std::move(model)};
+        return new vbm_model(std::move(model));
       o.spacing = model.report.spacing / 2;
     }
   });

@@ -25,20 +25,55 @@ vbm_build_options build_defaults() {
   return o;
 }
 
+vbm_axis_options axis_defaults() {
+  vbm_axis_options o{};
+  o.struct_size = sizeof o;
+  o.angle = 45;
+  o.ratio = 8;
+  return o;
+}
+
+vbm_prune_options prune_defaults() {
+  vbm_prune_options o{};
+  o.struct_size = sizeof o;
+  o.measure = VBM_MEASURE_TRIANGLES;
+  o.iterations = 1;
+  o.threshold = 5;
+  return o;
+}
+
+vbm_axis_surface_options axis_surface_defaults() {
+  vbm_axis_surface_options o{};
+  o.struct_size = sizeof o;
+  return o;
+}
+
 [[noreturn]] void bad_option(const char *name, const std::string &why) {
   throw Error(VBM_ERROR_ARGUMENT, std::string("option ") + name + " " + why, "option", {}, 0);
+}
+
+/// The caller's over the defaults, as far as both are known.
+template <class Options> Options read(const Options *options, Options o, const char *init) {
+  if (!options) return o;
+  if (options->struct_size < sizeof(size_t))
+    bad_option("struct_size",
+               "is " + std::to_string(options->struct_size) + ": fill options with " + init + "()");
+  std::memcpy(&o, options, std::min(options->struct_size, sizeof o));
+  o.struct_size = sizeof o;
+  return o;
+}
+
+template <class Options> void init(Options *options, size_t struct_size, const Options &defaults) {
+  if (!options || struct_size < sizeof(size_t)) return;
+  std::memset(static_cast<void *>(options), 0, struct_size);
+  std::memcpy(options, &defaults, std::min(struct_size, sizeof defaults));
+  options->struct_size = struct_size;
 }
 
 } // namespace
 
 vbm_build_options read_options(const vbm_build_options *options) {
-  vbm_build_options o = build_defaults();
-  if (!options) return o;
-  if (options->struct_size < sizeof(size_t))
-    bad_option("struct_size", "is " + std::to_string(options->struct_size) +
-                                  ": fill options with vbm_build_options_init()");
-  std::memcpy(&o, options, std::min(options->struct_size, sizeof o));
-  o.struct_size = sizeof o;
+  const vbm_build_options o = read(options, build_defaults(), "vbm_build_options_init");
   if (o.balls < VBM_BALLS_POLAR || o.balls > VBM_BALLS_VORONOI)
     bad_option("balls", "is " + std::to_string(o.balls) + ": use 0 (polar) or 1 (voronoi)");
   if (o.labels < VBM_LABELS_AUTO || o.labels > VBM_LABELS_SCAN)
@@ -49,12 +84,43 @@ vbm_build_options read_options(const vbm_build_options *options) {
   return o;
 }
 
+vbm_axis_options read_options(const vbm_axis_options *options) {
+  const vbm_axis_options o = read(options, axis_defaults(), "vbm_axis_options_init");
+  if (!(o.angle >= 0 && o.angle <= 180)) bad_option("angle", "is outside its range 0 to 180");
+  if (!(o.ratio >= 1)) bad_option("ratio", "is less than 1");
+  return o;
+}
+
+vbm_prune_options read_options(const vbm_prune_options *options) {
+  const vbm_prune_options o = read(options, prune_defaults(), "vbm_prune_options_init");
+  if (o.measure < VBM_MEASURE_TRIANGLES || o.measure > VBM_MEASURE_ANGLE)
+    bad_option("measure", "is " + std::to_string(o.measure) + ": use 0 to 3 (vbm_measure)");
+  if (o.iterations < 1 || o.iterations > 1000)
+    bad_option("iterations",
+               "is " + std::to_string(o.iterations) + ", outside its range 1 to 1000");
+  if (!(o.threshold >= 0)) bad_option("threshold", "is negative or not a number");
+  return o;
+}
+
+vbm_axis_surface_options read_options(const vbm_axis_surface_options *options) {
+  return read(options, axis_surface_defaults(), "vbm_axis_surface_options_init");
+}
+
 } // namespace vbm::impl
 
-extern "C" void vbm_build_options_init(vbm_build_options *options, size_t struct_size) {
-  if (!options || struct_size < sizeof(size_t)) return;
-  const vbm_build_options defaults = vbm::impl::build_defaults();
-  std::memset(static_cast<void *>(options), 0, struct_size);
-  std::memcpy(options, &defaults, std::min(struct_size, sizeof defaults));
-  options->struct_size = struct_size;
+extern "C" {
+
+void vbm_build_options_init(vbm_build_options *options, size_t struct_size) {
+  vbm::impl::init(options, struct_size, vbm::impl::build_defaults());
 }
+void vbm_axis_options_init(vbm_axis_options *options, size_t struct_size) {
+  vbm::impl::init(options, struct_size, vbm::impl::axis_defaults());
+}
+void vbm_prune_options_init(vbm_prune_options *options, size_t struct_size) {
+  vbm::impl::init(options, struct_size, vbm::impl::prune_defaults());
+}
+void vbm_axis_surface_options_init(vbm_axis_surface_options *options, size_t struct_size) {
+  vbm::impl::init(options, struct_size, vbm::impl::axis_surface_defaults());
+}
+
+} // extern "C"

@@ -40,7 +40,7 @@ vbm_status vbm_model_power_crust(vbm_context *context, const vbm_model *model, c
       throw Error(VBM_ERROR_ARGUMENT, "keep has " + std::to_string(keep_count) +
                                           " entries, but the model has " + std::to_string(m.inner) +
                                           " inner balls");
-    return new vbm_surface{power_crust(m, keep, progress)};
+    return new vbm_surface{power_crust(m, keep, nullptr, progress)};
   });
 }
 
@@ -50,6 +50,7 @@ vbm_status vbm_surface_get_report(const vbm_surface *surface, vbm_surface_report
   return copy_report(surface ? &surface->surface.report : nullptr, report);
 }
 
+const char *vbm_surface_notes(const vbm_surface *s) { return s ? s->surface.notes.c_str() : ""; }
 const double *vbm_surface_vertices(const vbm_surface *s, size_t *count) {
   if (!s) return none<double>(count);
   if (count) *count = s->surface.vertices.size();

@@ -53,6 +53,7 @@ struct Surface {
   Incidence polygons;
   std::vector<int32_t> triangle_polygon, polygon_ball, vertex_sample, vertex_input;
   std::vector<double> vertex_radius;
+  std::string notes;
   vbm_surface_report report{};
 };
 

@@ -30,12 +30,13 @@ int32_t Selection::model_ball(const Model &model, int32_t b) const {
   return o < model.balls.size() ? origin[b] : support_ball[o - model.balls.size()];
 }
 
-Selection select_balls(const Model &model, const uint8_t *keep) {
+Selection select_balls(const Model &model, const uint8_t *keep, const uint8_t *keep_outer) {
   Selection s;
   s.balls.reserve(model.balls.size());
   s.origin.reserve(model.balls.size());
   for (std::size_t b = 0; b < model.balls.size(); ++b) {
     if (b < model.inner && keep && !keep[b]) continue;
+    if (b >= model.inner && keep_outer && !keep_outer[b - model.inner]) continue;
     s.inner += b < model.inner;
     s.balls.push_back(model.balls[b]);
     s.origin.push_back(int32_t(b));

@@ -27,9 +27,9 @@ struct Selection {
   int32_t model_ball(const Model &model, int32_t b) const;
 };
 
-/// The model's inner balls that are kept (all if `keep` is NULL) and all outer ones. Throws
+/// The model's inner and outer balls that are kept (a byte a ball; all if NULL). Throws
 /// Error(VBM_ERROR_NO_INTERIOR) if no inner one is kept.
-Selection select_balls(const Model &model, const uint8_t *keep);
+Selection select_balls(const Model &model, const uint8_t *keep, const uint8_t *keep_outer);
 
 /// Where to add supports to all balls of a model.
 enum class Support {

@@ -25,8 +25,9 @@ namespace {
 /// Voronoi balls where the sampling is thin, with all Voronoi balls.
 constexpr int kAttempts = 3;
 
-Selection select(const Model &model, const uint8_t *keep, int attempt, Progress &progress) {
-  if (attempt == 0) return select_balls(model, keep);
+Selection select(const Model &model, const uint8_t *keep, const uint8_t *keep_outer, int attempt,
+                 Progress &progress) {
+  if (attempt == 0) return select_balls(model, keep, keep_outer);
   return select_with_support(model, attempt == 1 ? Support::undersampled : Support::everywhere,
                              progress);
 }
@@ -119,7 +120,8 @@ void fill_vertices(Surface &surface, const CrustMesh &mesh, const Model &model,
 
 } // namespace
 
-Surface power_crust(const Model &model, const uint8_t *keep, Progress &progress) {
+Surface power_crust(const Model &model, const uint8_t *keep, const uint8_t *keep_outer,
+                    Progress &progress) {
   if (keep && std::count(keep, keep + model.inner, 0) == 0) keep = nullptr;
   Selection selected;
   CrustMesh mesh;
@@ -127,7 +129,7 @@ Surface power_crust(const Model &model, const uint8_t *keep, Progress &progress)
   const Boundary boundary = keep ? Boundary{} : find_boundary(model.cells, model.inside, progress);
   for (int attempt = 0; attempt < kAttempts; ++attempt) {
     progress.stage("power diagram", attempt ? 0.86 : 0.7);
-    selected = select(model, keep, attempt, progress);
+    selected = select(model, keep, keep_outer, attempt, progress);
     PowerDiagram diagram = power_diagram(selected.balls, selected.inner, progress);
     progress.stage("power crust", attempt ? 0.88 : 0.85);
     const CrustComplex crust =

@@ -1,0 +1,164 @@
+/* libvbm: the medial axis of a ball model, its parts, and simplification (thesis 7).
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ *
+ * Included by vbm.h, whose conventions hold here. An axis is immutable: pruning gives a new one, and
+ * undoing is going back to the one before. An axis keeps what it needs of its model; the model may
+ * be freed first.
+ */
+#ifndef VBM_AXIS_H
+#define VBM_AXIS_H
+
+#include "vbm.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* ---- The medial axis (7.3, 7.4) ---------------------------------------------------------------- */
+
+typedef struct vbm_axis vbm_axis;
+
+typedef struct vbm_axis_options {
+  size_t struct_size;
+  double angle; /* degrees, 0 to 180, default 45: a piece of the Voronoi diagram is axis where the two
+                   samples it is equidistant from are seen under at least this angle, ...            */
+  double ratio; /* ... or are at least this many times farther apart than neighbouring samples;
+                   default 8, at least 1                                                             */
+} vbm_axis_options;
+
+VBM_API void vbm_axis_options_init(vbm_axis_options *options, size_t struct_size);
+
+/* The medial axis: the Voronoi diagram inside the shape, with all that tells nothing about the shape
+ * collapsed away. It has the Betti numbers of the solid (of the open interior of its tetrahedra),
+ * because every step is an elementary collapse. Vertices are balls: no two share a place's cell, every
+ * face is a triangle, edges that are not a triangle's are curves.
+ *   options  NULL for defaults
+ * Errors: ARGUMENT, MEMORY, CANCELLED.
+ * Source: thesis 7.3; Dey, Zhao, "Approximating the medial axis from the Voronoi diagram with a
+ * convergence guarantee" (2004), for what is kept. */
+VBM_API vbm_status vbm_model_medial_axis(vbm_context *context, const vbm_model *model,
+                                         const vbm_axis_options *options, vbm_axis **out);
+
+VBM_API void vbm_axis_free(vbm_axis *axis);
+
+typedef struct vbm_axis_report {
+  size_t struct_size;
+  uint64_t vertices, triangles;
+  uint64_t edges;      /* in all, those of triangles too                                        */
+  uint64_t curve_edges; /* of no triangle                                                       */
+  uint64_t parts;
+  uint64_t components; /* connected pieces: Betti number 0                                      */
+  int64_t euler;       /* vertices - edges + triangles                                          */
+  double volume;       /* share of the solid's tetrahedra that the balls left stand for, 0 to 1 */
+} vbm_axis_report;
+
+VBM_API vbm_status vbm_axis_get_report(const vbm_axis *axis, vbm_axis_report *report);
+
+/* What the operation that made this axis has to say, as vbm_model_notes(). */
+VBM_API const char *vbm_axis_notes(const vbm_axis *axis);
+
+/* Vertices: centres (count x 3) and radii (count). */
+VBM_API const double *vbm_axis_vertices(const vbm_axis *axis, size_t *count);
+VBM_API const double *vbm_axis_radii(const vbm_axis *axis, size_t *count);
+/* Triangles, count x 3 vertex indices; for each the two samples it is equidistant from (count x 2,
+ * samples of the model), and its part. The distance of the two samples is the feature's width there,
+ * and with the radius gives the object angle, 2 asin(width / (2 radius)). */
+VBM_API const int32_t *vbm_axis_triangles(const vbm_axis *axis, size_t *count);
+VBM_API const int32_t *vbm_axis_triangle_samples(const vbm_axis *axis, size_t *count);
+VBM_API const int32_t *vbm_axis_triangle_part(const vbm_axis *axis, size_t *count);
+/* Curves: edges of no triangle, count x 2 vertex indices, and the part of each. */
+VBM_API const int32_t *vbm_axis_curves(const vbm_axis *axis, size_t *count);
+VBM_API const int32_t *vbm_axis_curve_part(const vbm_axis *axis, size_t *count);
+
+/* ---- Parts (7.5.1) ------------------------------------------------------------------------------ */
+
+/* Why a part cannot be removed now. */
+typedef enum vbm_lock {
+  VBM_LOCK_NONE = 0,   /* it can                                                              */
+  VBM_LOCK_INNER = 1,  /* it has no border: the parts around it must go first                 */
+  VBM_LOCK_TUNNEL = 2, /* a tunnel or cavity of the shape would be lost                       */
+  VBM_LOCK_BRIDGE = 3, /* the shape would fall apart                                          */
+  VBM_LOCK_LAST = 4    /* it is all that is left of a piece of the shape                      */
+} vbm_lock;
+
+typedef struct vbm_part {
+  int32_t level;       /* 1: has a border; 2: touches a part of level 1; ...; 0: no border is near    */
+  int32_t lock;        /* vbm_lock                                                                    */
+  uint64_t triangles;  /* 0 for a curve                                                               */
+  uint64_t curve_edges; /* 0 for a sheet                                                              */
+  double area;         /* of a sheet                                                                  */
+  double length;       /* of a curve                                                                  */
+  double volume;       /* share, 0 to 1, of the solid's tetrahedra that go with it (7.5.2)            */
+  double width;        /* largest distance of two samples a triangle is equidistant from              */
+  double angle;        /* degrees: the largest angle under which such samples are seen from the axis  */
+  double position[3];  /* its middle                                                                  */
+} vbm_part;
+
+/* The parts: sheets, whose triangles hang together across edges of exactly two triangles, and curves. */
+VBM_API const vbm_part *vbm_axis_parts(const vbm_axis *axis, size_t *count);
+/* The model's inner balls that go with each part, in the form of vbm_model_ball_samples(); balls on
+ * contact curves go with none. */
+VBM_API const int32_t *vbm_axis_part_balls(const vbm_axis *axis, const uint64_t **offsets,
+                                           size_t *count);
+/* The topology graph (7.5.3): its nodes are contact curves, connected ones taken together; parts are
+ * what joins them. Positions of the nodes (count x 3), and for every part the nodes it touches. */
+VBM_API const double *vbm_axis_nodes(const vbm_axis *axis, size_t *count);
+VBM_API const int32_t *vbm_axis_part_nodes(const vbm_axis *axis, const uint64_t **offsets,
+                                           size_t *count);
+/* For every inner ball of the model 1 if it is left, 0 if it went with a part that was removed. */
+VBM_API const uint8_t *vbm_axis_kept_balls(const vbm_axis *axis, size_t *count);
+
+/* ---- Pruning (7.5.2, 7.5.3) --------------------------------------------------------------------- */
+
+/* How significant a part is. */
+typedef enum vbm_measure {
+  VBM_MEASURE_TRIANGLES = 0, /* its triangles                                                     */
+  VBM_MEASURE_VOLUME = 1,    /* its share of the volume, 0 to 1                                   */
+  VBM_MEASURE_WIDTH = 2,     /* vbm_part.width over the model's bounding-box diagonal             */
+  VBM_MEASURE_ANGLE = 3      /* vbm_part.angle, degrees                                           */
+} vbm_measure;
+
+typedef struct vbm_prune_options {
+  size_t struct_size;
+  int32_t measure;    /* vbm_measure; default TRIANGLES                                       */
+  int32_t iterations; /* how often parts are found anew and pruned; default 1, 1 to 1000      */
+  double threshold;   /* parts of level 1 up to this go, least significant first; default 5   */
+} vbm_prune_options;
+
+VBM_API void vbm_prune_options_init(vbm_prune_options *options, size_t struct_size);
+
+/* Remove the parts of level 1 that are not more significant than the threshold, where the topology
+ * stays. Notes say which parts had to stay, and why.
+ * Errors: ARGUMENT, MEMORY, CANCELLED. Source: thesis 7.5.2, 7.5.3. */
+VBM_API vbm_status vbm_axis_prune(vbm_context *context, const vbm_axis *axis,
+                                  const vbm_prune_options *options, vbm_axis **out);
+
+/* Remove the parts with these numbers, in this order.
+ * Errors: INPUT (a part that cannot go: says which and why, kind "part"), ARGUMENT, MEMORY,
+ * CANCELLED. Source: thesis 7.7, Figure 7.13. */
+VBM_API vbm_status vbm_axis_remove_parts(vbm_context *context, const vbm_axis *axis,
+                                         const int32_t *parts, size_t count, vbm_axis **out);
+
+/* ---- The simplified shape (7.6) ------------------------------------------------------------------ */
+
+typedef struct vbm_axis_surface_options {
+  size_t struct_size;
+  int32_t drop_outer; /* nonzero: outer balls that touch only samples of removed parts leave as well, for
+                         sharper corners (7.6); default 0                                            */
+} vbm_axis_surface_options;
+
+VBM_API void vbm_axis_surface_options_init(vbm_axis_surface_options *options, size_t struct_size);
+
+/* The power crust of the balls that are left. Its components and handles are those of the model's
+ * solid: that is checked, and where the balls left do not give them, the parts removed last are taken
+ * back for the surface, one after another, until they do (vbm_surface_notes() says how many).
+ * Errors: ARGUMENT, MEMORY, CANCELLED. Source: thesis 7.6. */
+VBM_API vbm_status vbm_axis_surface(vbm_context *context, const vbm_axis *axis,
+                                    const vbm_axis_surface_options *options, vbm_surface **out);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif /* VBM_AXIS_H */

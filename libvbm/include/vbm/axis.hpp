@@ -1,0 +1,104 @@
+// libvbm for C++: the medial axis. Included by vbm.hpp; adds no logic to axis.h.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef VBM_AXIS_HPP
+#define VBM_AXIS_HPP
+
+#include <vbm/vbm.hpp>
+
+namespace vbm {
+
+struct AxisOptions : vbm_axis_options {
+  AxisOptions() { vbm_axis_options_init(this, sizeof(vbm_axis_options)); }
+};
+struct PruneOptions : vbm_prune_options {
+  PruneOptions() { vbm_prune_options_init(this, sizeof(vbm_prune_options)); }
+};
+struct AxisSurfaceOptions : vbm_axis_surface_options {
+  AxisSurfaceOptions() { vbm_axis_surface_options_init(this, sizeof(vbm_axis_surface_options)); }
+};
+
+/// The medial axis of a ball model, as far as it is pruned.
+class Axis {
+public:
+  explicit Axis(vbm_axis *owned = nullptr) : handle_(owned) {}
+  const vbm_axis *handle() const { return handle_.get(); }
+
+  View<double, 3> vertices() const { return view<3>(vbm_axis_vertices); }
+  View<double> radii() const { return view(vbm_axis_radii); }
+  View<std::int32_t, 3> triangles() const { return view<3>(vbm_axis_triangles); }
+  View<std::int32_t, 2> triangle_samples() const { return view<2>(vbm_axis_triangle_samples); }
+  View<std::int32_t> triangle_part() const { return view(vbm_axis_triangle_part); }
+  View<std::int32_t, 2> curves() const { return view<2>(vbm_axis_curves); }
+  View<std::int32_t> curve_part() const { return view(vbm_axis_curve_part); }
+  View<vbm_part> parts() const { return view(vbm_axis_parts); }
+  Lists part_balls() const { return lists(vbm_axis_part_balls); }
+  View<double, 3> nodes() const { return view<3>(vbm_axis_nodes); }
+  Lists part_nodes() const { return lists(vbm_axis_part_nodes); }
+  View<std::uint8_t> kept_balls() const { return view(vbm_axis_kept_balls); }
+  const char *notes() const { return vbm_axis_notes(handle()); }
+
+  vbm_axis_report report() const {
+    vbm_axis_report report{};
+    report.struct_size = sizeof report;
+    if (vbm_status status = vbm_axis_get_report(handle(), &report))
+      throw Error(status, "cannot read the axis's report");
+    return report;
+  }
+
+  Axis prune(Context &context, const vbm_prune_options &options = PruneOptions()) const {
+    vbm_axis *out = nullptr;
+    const vbm_status status = vbm_axis_prune(context.handle(), handle(), &options, &out);
+    Axis axis(out);
+    context.check(status);
+    return axis;
+  }
+  Axis remove_parts(Context &context, View<std::int32_t> parts) const {
+    vbm_axis *out = nullptr;
+    const vbm_status status =
+        vbm_axis_remove_parts(context.handle(), handle(), parts.data, parts.size, &out);
+    Axis axis(out);
+    context.check(status);
+    return axis;
+  }
+  Surface surface(Context &context,
+                  const vbm_axis_surface_options &options = AxisSurfaceOptions()) const {
+    vbm_surface *out = nullptr;
+    const vbm_status status = vbm_axis_surface(context.handle(), handle(), &options, &out);
+    Surface surface(out);
+    context.check(status);
+    return surface;
+  }
+
+private:
+  template <std::size_t Width = 1, class T>
+  View<T, Width> view(const T *(*get)(const vbm_axis *, std::size_t *)) const {
+    View<T, Width> result;
+    result.data = get(handle(), &result.size);
+    return result;
+  }
+  Lists lists(const std::int32_t *(*get)(const vbm_axis *, const std::uint64_t **,
+                                         std::size_t *)) const {
+    Lists lists;
+    lists.indices.data = get(handle(), &lists.offsets.data, &lists.indices.size);
+    if (lists.offsets.data) lists.offsets.size = parts().size + 1;
+    return lists;
+  }
+  struct Free {
+    void operator()(vbm_axis *axis) const { vbm_axis_free(axis); }
+  };
+  std::unique_ptr<vbm_axis, Free> handle_;
+};
+
+inline Axis medial_axis(Context &context, const Model &model,
+                        const vbm_axis_options &options = AxisOptions()) {
+  vbm_axis *out = nullptr;
+  const vbm_status status = vbm_model_medial_axis(context.handle(), model.handle(), &options, &out);
+  Axis axis(out);
+  context.check(status);
+  return axis;
+}
+
+} // namespace vbm
+
+#endif // VBM_AXIS_HPP

@@ -1,0 +1,302 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "arrays.h"
+#include "bind.h"
+#include "errors.h"
+#include "progress.h"
+#include "reports.h"
+#include "signature.h"
+
+#include <memory>
+#include <optional>
+
+namespace vbm::python {
+
+namespace {
+
+const char *const kAxisDoc =
+    "The medial axis of a shape, its parts, and what is left after pruning.\n\n"
+    "Made by Model.medial_axis(). prune() and remove() take parts away, undo() brings back what "
+    "the\n"
+    "last of them took. Its topology is the shape's, always. Arrays are read-only views of the "
+    "axis "
+    "as\nit is now, and stay as they are when it changes. v stands for vertices, t for triangles, "
+    "e "
+    "for\nedges of curves.";
+
+const char *const kPruneDoc =
+    "Remove the parts of level 1 that are not more significant than a threshold, least "
+    "significant\n"
+    "first, where the topology stays; parts that had to stay are in notes.\n\n"
+    "  triangles   remove parts of at most so many triangles, ...\n"
+    "  volume      ... then those that stand for at most this share of the volume (0 to 1), ...\n"
+    "  width       ... then those whose samples are at most this far apart, as a share of the\n"
+    "              bounding-box diagonal, ...\n"
+    "  angle       ... then those whose samples are seen under at most this angle, in degrees\n"
+    "  iterations  how often each is done, with parts found anew\n";
+
+// One axis; what arrays keep alive.
+struct State {
+  Axis axis;
+};
+
+struct MedialAxis {
+  std::vector<std::shared_ptr<State>> states; // the last is the current one
+  State &now() const { return *states.back(); }
+};
+
+template <class Get> auto viewed(Get get) {
+  return [get](const MedialAxis &self) {
+    const auto state = self.states.back();
+    return output((state->axis.*get)(), py::cast(state));
+  };
+}
+
+const char *lock_text(int32_t lock) {
+  switch (lock) {
+  case VBM_LOCK_NONE:
+    return "";
+  case VBM_LOCK_INNER:
+    return "inner";
+  case VBM_LOCK_TUNNEL:
+    return "tunnel";
+  case VBM_LOCK_BRIDGE:
+    return "bridge";
+  default:
+    return "last";
+  }
+}
+
+// A part, as a named tuple.
+py::handle &part_class() {
+  static py::handle type;
+  return type;
+}
+
+struct PartField {
+  const char *name, *doc;
+};
+const PartField kPartFields[] = {
+    {"level", "1: it has a border; 2: it touches a part of level 1; ...; 0: no border is near."},
+    {"locked", "'' if it can be removed now, else why not: 'inner', 'tunnel', 'bridge' or 'last'."},
+    {"triangles", "Triangles; 0 for a curve."},
+    {"curve_edges", "Edges of a curve; 0 for a sheet."},
+    {"area", "Area of a sheet."},
+    {"length", "Length of a curve."},
+    {"volume", "Share of the shape's volume that it stands for, 0 to 1."},
+    {"width", "Largest distance of two samples it is equidistant from."},
+    {"angle", "Largest angle under which such samples are seen from it, in degrees."},
+    {"position", "Its middle, (x, y, z)."},
+    {"balls", "The model's inner balls that go with it, int32."},
+};
+
+void bind_part(py::module_ &module) {
+  py::list names;
+  for (const PartField &field : kPartFields) names.append(field.name);
+  const py::object type = py::module_::import("collections")
+                              .attr("namedtuple")("Part", names, py::arg("module") = "vbm");
+  type.attr("__doc__") = "A part of a medial axis: a sheet or a curve; a named tuple.";
+  for (const PartField &field : kPartFields) type.attr(field.name).attr("__doc__") = field.doc;
+  module.add_object("Part", type);
+  part_class() = py::object(type).release();
+}
+
+py::list parts(const MedialAxis &self) {
+  const auto state = self.states.back();
+  const py::object owner = py::cast(state);
+  const View<vbm_part> all = state->axis.parts();
+  const Lists balls = state->axis.part_balls();
+  py::list out;
+  for (std::size_t i = 0; i < all.size; ++i) {
+    const vbm_part &p = all[i];
+    out.append(part_class()(p.level, lock_text(p.lock), p.triangles, p.curve_edges, p.area,
+                            p.length, p.volume, p.width, p.angle,
+                            py::make_tuple(p.position[0], p.position[1], p.position[2]),
+                            output(balls[i], owner)));
+  }
+  return out;
+}
+
+std::optional<double> threshold(const Arguments &given, const char *name) {
+  const py::object value = given[name];
+  if (value.is_none()) return {};
+  return value.cast<double>();
+}
+
+void prune(MedialAxis &self, const Arguments &given) {
+  const std::pair<const char *, vbm_measure> measures[] = {{"triangles", VBM_MEASURE_TRIANGLES},
+                                                           {"volume", VBM_MEASURE_VOLUME},
+                                                           {"width", VBM_MEASURE_WIDTH},
+                                                           {"angle", VBM_MEASURE_ANGLE}};
+  std::shared_ptr<State> state = self.states.back();
+  for (const auto &[name, measure] : measures) {
+    const std::optional<double> most = threshold(given, name);
+    if (!most) continue;
+    PruneOptions options;
+    options.measure = measure;
+    options.threshold = *most;
+    if (given.given("iterations")) options.iterations = given["iterations"].cast<int32_t>();
+    state = std::make_shared<State>(State{run(
+        given["progress"], [&](Context &context) { return state->axis.prune(context, options); })});
+  }
+  if (state == self.states.back())
+    bad_argument("prune() needs a threshold: triangles, volume, width or angle");
+  self.states.push_back(std::move(state));
+}
+
+void remove(MedialAxis &self, const Arguments &given) {
+  const py::object which = given["part"];
+  py::list one;
+  if (PyIndex_Check(which.ptr())) one.append(which);
+  const Indices parts = indices(one.empty() ? which : one, "part", "part");
+  const View<int32_t> view{parts.data(), std::size_t(parts.size())};
+  Axis left = run(given["progress"],
+                  [&](Context &context) { return self.now().axis.remove_parts(context, view); });
+  self.states.push_back(std::make_shared<State>(State{std::move(left)}));
+}
+
+py::dict topology_graph(const MedialAxis &self) {
+  const auto state = self.states.back();
+  const Lists nodes = state->axis.part_nodes();
+  py::array_t<int32_t> edges({py::ssize_t(nodes.indices.size), py::ssize_t(2)});
+  py::ssize_t e = 0;
+  for (std::size_t p = 0; p < nodes.size(); ++p)
+    for (const int32_t node : nodes[p]) {
+      edges.mutable_at(e, 0) = int32_t(p);
+      edges.mutable_at(e++, 1) = node;
+    }
+  const View<vbm_part> all = state->axis.parts();
+  py::array_t<double> middles({py::ssize_t(all.size), py::ssize_t(3)});
+  for (std::size_t p = 0; p < all.size; ++p)
+    for (int a = 0; a < 3; ++a) middles.mutable_at(py::ssize_t(p), a) = all[p].position[a];
+  py::dict graph;
+  graph["nodes"] = output(state->axis.nodes(), py::cast(state));
+  graph["parts"] = middles;
+  graph["edges"] = edges;
+  return graph;
+}
+
+void bind_arrays(py::class_<MedialAxis> &type) {
+  type.def_property_readonly("vertices", viewed(&Axis::vertices),
+                             "Vertices, the centres of balls: (v, 3) float64.");
+  type.def_property_readonly("radii", viewed(&Axis::radii), "Their balls' radii, (v,) float64.");
+  type.def_property_readonly("triangles", viewed(&Axis::triangles),
+                             "Triangles, (t, 3) int32 vertex indices.");
+  type.def_property_readonly(
+      "triangle_samples", viewed(&Axis::triangle_samples),
+      "For every triangle the two samples of the model it is equidistant from, (t, 2) int32.");
+  type.def_property_readonly("triangle_part", viewed(&Axis::triangle_part),
+                             "For every triangle its part, (t,) int32.");
+  type.def_property_readonly("edges", viewed(&Axis::curves),
+                             "Curves: edges of no triangle, (e, 2) int32 vertex indices.");
+  type.def_property_readonly("edge_part", viewed(&Axis::curve_part),
+                             "For every such edge its part, (e,) int32.");
+  type.def_property_readonly(
+      "kept_balls",
+      [](const MedialAxis &self) {
+        const auto state = self.states.back();
+        const View<uint8_t> kept = state->axis.kept_balls();
+        return output(kept.data, py::dtype("?"), kept.size, 1, py::cast(state));
+      },
+      "For every inner ball of the model whether it is left, bool.");
+}
+
+} // namespace
+
+py::object axis_to_python(Axis axis) {
+  MedialAxis out;
+  out.states.push_back(std::make_shared<State>(State{std::move(axis)}));
+  return py::cast(std::move(out));
+}
+
+void bind_axis(py::module_ &module) {
+  py::class_<State, std::shared_ptr<State>>(module, "_AxisState",
+                                            "What arrays of an axis belong to.");
+  bind_part(module);
+  py::class_<MedialAxis> type(module, "MedialAxis", kAxisDoc);
+  bind_arrays(type);
+  type.def_property_readonly("parts", parts, "The parts: a list of Part.\nSource: thesis 7.5.1.");
+  type.def_property_readonly(
+      "report", [](const MedialAxis &self) { return to_python(self.now().axis.report()); },
+      "Counts: an AxisReport.");
+  type.def_property_readonly(
+      "notes", [](const MedialAxis &self) { return lines_of(self.now().axis.notes()); },
+      "What the last operation has to say, a list of sentences.");
+
+  const Signature pruning("prune",
+                          {{"triangles", "None"},
+                           {"volume", "None"},
+                           {"width", "None"},
+                           {"angle", "None"},
+                           {"iterations", "1", true},
+                           {"progress", "None", true}},
+                          true);
+  type.def(
+      "prune",
+      [pruning](MedialAxis &self, const py::args &args, const py::kwargs &kwargs) {
+        prune(self, pruning.bind(args, kwargs));
+      },
+      pruning
+          .doc(std::string(kPruneDoc) + kProgressDoc +
+               "\nRaises ArgumentError, OutOfMemory, Cancelled; the axis is then as it was.\n"
+               "Source: thesis 7.5.2, 7.5.3.")
+          .c_str());
+  const Signature removing("remove", {{"part"}, {"progress", "None", true}}, true);
+  type.def(
+      "remove",
+      [removing](MedialAxis &self, const py::args &args, const py::kwargs &kwargs) {
+        remove(self, removing.bind(args, kwargs));
+      },
+      removing
+          .doc(
+              std::string("Remove a part, or several, by their numbers in parts.\n\n") +
+              kProgressDoc +
+              "\nRaises InputError for a part that is not there or cannot go, saying why; the axis "
+              "is then\nas it was. Source: thesis 7.7, Figure 7.13.")
+          .c_str());
+  type.def(
+      "undo",
+      [](MedialAxis &self) {
+        if (self.states.size() < 2) return false;
+        self.states.pop_back();
+        return true;
+      },
+      Signature("undo", {}, true)
+          .doc("Bring back what the last prune() or remove() took. Returns whether there was one.")
+          .c_str());
+  type.def(
+      "topology_graph", topology_graph,
+      Signature("topology_graph", {}, true)
+          .doc("The topology graph, as a dict: 'nodes' (k, 3), the middles of contact curves, "
+               "connected\nones taken together; 'parts' (p, 3), the middles of the parts; "
+               "'edges' (m, 2) int32, a part\nand a node it touches in each row. Source: thesis "
+               "7.5.3, Figures 7.8 to 7.11.")
+          .c_str());
+  const Signature surface("surface", {{"drop_outer", "False", true}, {"progress", "None", true}},
+                          true);
+  type.def(
+      "surface",
+      [surface](const MedialAxis &self, const py::args &args, const py::kwargs &kwargs) {
+        const Arguments given = surface.bind(args, kwargs);
+        AxisSurfaceOptions options;
+        options.drop_outer = given.given("drop_outer") && given["drop_outer"].cast<bool>();
+        const auto state = self.states.back();
+        return run(given["progress"],
+                   [&](Context &context) { return state->axis.surface(context, options); });
+      },
+      surface
+          .doc(std::string("The simplified shape: the power crust of the balls that are left, with "
+                           "the components and\nhandles of the whole shape.\n\n"
+                           "  drop_outer  leave out outer balls at removed parts too, for sharper "
+                           "corners\n") +
+               kProgressDoc +
+               "\nReturns a Surface. Raises OutOfMemory, Cancelled. Source: thesis 7.6.")
+          .c_str());
+  type.def("__repr__", [](const MedialAxis &self) {
+    const vbm_axis_report report = self.now().axis.report();
+    return "<vbm.MedialAxis: " + counted(report.vertices, "vertex", "vertices") + ", " +
+           counted(report.triangles, "triangle", "triangles") + ", " +
+           counted(report.parts, "part", "parts") + ">";
+  });
+}
+
+} // namespace vbm::python

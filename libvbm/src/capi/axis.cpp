@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Making, pruning and reading medial axes.
+#include "medial/axis.h"
+
+#include "capi/guard.h"
+#include "capi/views.h"
+#include "medial/axis_surface.h"
+
+#include <string>
+
+using namespace vbm::impl;
+
+namespace {
+
+const Axis &axis_of(const vbm_axis *axis) {
+  if (!axis) throw Error(VBM_ERROR_ARGUMENT, "axis is NULL");
+  return axis->axis;
+}
+
+} // namespace
+
+extern "C" {
+
+vbm_status vbm_model_medial_axis(vbm_context *context, const vbm_model *model,
+                                 const vbm_axis_options *options, vbm_axis **out) {
+  return guarded(context, out, [&](Progress &progress) {
+    if (!model) throw Error(VBM_ERROR_ARGUMENT, "model is NULL");
+    const vbm_axis_options o = read_options(options);
+    return new vbm_axis{medial_axis(model->shared, o, progress)};
+  });
+}
+
+vbm_status vbm_axis_prune(vbm_context *context, const vbm_axis *axis,
+                          const vbm_prune_options *options, vbm_axis **out) {
+  return guarded(context, out, [&](Progress &progress) {
+    const Axis &a = axis_of(axis);
+    const vbm_prune_options o = read_options(options);
+    return new vbm_axis{prune_axis(a, o, progress)};
+  });
+}
+
+vbm_status vbm_axis_remove_parts(vbm_context *context, const vbm_axis *axis, const int32_t *parts,
+                                 size_t count, vbm_axis **out) {
+  return guarded(context, out, [&](Progress &progress) {
+    const Axis &a = axis_of(axis);
+    if (!parts && count)
+      throw Error(VBM_ERROR_ARGUMENT,
+                  "parts is NULL, but " + std::to_string(count) + " were announced");
+    return new vbm_axis{remove_parts(a, parts, count, progress)};
+  });
+}
+
+vbm_status vbm_axis_surface(vbm_context *context, const vbm_axis *axis,
+                            const vbm_axis_surface_options *options, vbm_surface **out) {
+  return guarded(context, out, [&](Progress &progress) {
+    const Axis &a = axis_of(axis);
+    const vbm_axis_surface_options o = read_options(options);
+    return new vbm_surface{axis_surface(a, o, progress)};
+  });
+}
+
+void vbm_axis_free(vbm_axis *axis) { delete axis; }
+
+vbm_status vbm_axis_get_report(const vbm_axis *axis, vbm_axis_report *report) {
+  return copy_report(axis ? &axis->axis.report : nullptr, report);
+}
+const char *vbm_axis_notes(const vbm_axis *a) { return a ? a->axis.notes.c_str() : ""; }
+const double *vbm_axis_vertices(const vbm_axis *a, size_t *count) {
+  return a ? view(a->axis.vertices, 3, count) : none<double>(count);
+}
+const double *vbm_axis_radii(const vbm_axis *a, size_t *count) {
+  return a ? view(a->axis.radii, 1, count) : none<double>(count);
+}
+const int32_t *vbm_axis_triangles(const vbm_axis *a, size_t *count) {
+  return a ? view(a->axis.triangles, 3, count) : none<int32_t>(count);
+}
+const int32_t *vbm_axis_triangle_samples(const vbm_axis *a, size_t *count) {
+  return a ? view(a->axis.triangle_samples, 2, count) : none<int32_t>(count);
+}
+const int32_t *vbm_axis_triangle_part(const vbm_axis *a, size_t *count) {
+  return a ? view(a->axis.triangle_part, 1, count) : none<int32_t>(count);
+}
+const int32_t *vbm_axis_curves(const vbm_axis *a, size_t *count) {
+  return a ? view(a->axis.curves, 2, count) : none<int32_t>(count);
+}
+const int32_t *vbm_axis_curve_part(const vbm_axis *a, size_t *count) {
+  return a ? view(a->axis.curve_part, 1, count) : none<int32_t>(count);
+}
+const vbm_part *vbm_axis_parts(const vbm_axis *a, size_t *count) {
+  return a ? view(a->axis.parts.list, 1, count) : none<vbm_part>(count);
+}
+const int32_t *vbm_axis_part_balls(const vbm_axis *a, const uint64_t **offsets, size_t *count) {
+  return a ? view(a->axis.part_balls, offsets, count) : none(offsets, count);
+}
+const double *vbm_axis_nodes(const vbm_axis *a, size_t *count) {
+  return a ? view(a->axis.nodes, 3, count) : none<double>(count);
+}
+const int32_t *vbm_axis_part_nodes(const vbm_axis *a, const uint64_t **offsets, size_t *count) {
+  return a ? view(a->axis.part_nodes, offsets, count) : none(offsets, count);
+}
+const uint8_t *vbm_axis_kept_balls(const vbm_axis *a, size_t *count) {
+  return a ? view(a->axis.kept, 1, count) : none<uint8_t>(count);
+}
+
+} // extern "C"

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What vbm_axis holds: an axis as far as it is pruned, its parts, and how it came to be.
+#pragma once
+
+#include "core/model.h"
+#include "medial/parts.h"
+#include "medial/remove_part.h"
+
+#include <memory>
+#include <string>
+
+namespace vbm::impl {
+
+class Progress;
+
+struct Axis {
+  std::shared_ptr<const Model> model;
+  std::shared_ptr<const AxisCells> cells;
+  AxisState state;
+  std::vector<Removal> removed; // parts, in the order they went
+  Parts parts;                  // of the state
+
+  // What the views show: cells left, vertices renumbered, input units.
+  std::vector<double> vertices, radii, nodes;
+  std::vector<int32_t> triangles, triangle_samples, triangle_part, curves, curve_part;
+  Incidence part_balls, part_nodes;
+  std::vector<uint8_t> kept;
+  std::string notes;
+  vbm_axis_report report{};
+};
+
+Axis medial_axis(std::shared_ptr<const Model> model, const vbm_axis_options &options,
+                 Progress &progress);
+
+/// Thesis 7.5.2 and 7.5.3.
+Axis prune_axis(const Axis &axis, const vbm_prune_options &options, Progress &progress);
+
+/// Throws Error(VBM_ERROR_INPUT) for a part that is not there or cannot go.
+Axis remove_parts(const Axis &axis, const int32_t *parts, std::size_t count, Progress &progress);
+
+} // namespace vbm::impl

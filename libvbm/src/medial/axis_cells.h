@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The medial axis as a simplicial complex.
+#pragma once
+
+#include "medial/collapse.h"
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace vbm::impl {
+
+/// Vertices, edges and triangles, no two alike, and every edge of a triangle among the edges: a
+/// simplicial complex of the solid's homotopy type. Which of them are left after pruning is an
+/// AxisState's.
+struct AxisCells {
+  std::vector<Ball> ball;                               // per vertex, unit frame
+  std::vector<std::array<int32_t, 2>> edge;             // vertices, ascending
+  std::vector<std::array<int32_t, 3>> triangle;         // vertices
+  std::vector<std::array<int32_t, 3>> triangle_edges;   // edge i joins corners i and i + 1
+  std::vector<std::array<int32_t, 2>> triangle_samples; // it is equidistant from
+  std::vector<uint8_t> seam; // per edge: parts end there, even where only two triangles are left
+  Incidence edge_triangles, vertex_edges;
+  std::vector<double> width;           // per triangle: distance of its samples
+  std::vector<double> volume;          // per vertex: share of the solid's tetrahedra drawn into it
+  std::vector<int32_t> vertex_of_ball; // per inner ball of the model
+  double unit = 1;                     // length of the unit frame's unit in the input
+};
+
+AxisCells axis_cells(const DualComplex &complex, const Collapsed &left, const Model &model,
+                     Progress &progress);
+
+} // namespace vbm::impl
