@@ -10,8 +10,10 @@
 #include "balls/merge.h"
 #include "core/disjoint_sets.h"
 #include "core/progress.h"
+#include "medial/pinches.h"
 
 #include <algorithm>
+#include <map>
 
 namespace vbm::impl {
 namespace {
@@ -22,6 +24,7 @@ public:
       : model_(model), cells_(model.cells), inside_(model.inside), progress_(progress) {}
 
   DualComplex run() {
+    pinches_ = find_pinches(model_, progress_);
     find_groups();
     number_facets();
     find_rings();
@@ -30,6 +33,7 @@ public:
     make_vertices();
     make_edges();
     make_faces();
+    fill_pinches();
     return std::move(out_);
   }
 
@@ -165,6 +169,8 @@ private:
       if (inside(c)) ++euler[group_[c]];
     facet_set_ = DisjointSets(facet_cell_.size());
     std::vector<uint8_t> bad(cells_.size(), 0);
+    for (const Pinch &p : pinches_)
+      for (const auto &[c, i] : p.facets) bad[group_[c]] = bad[group_[cells_.neighbor[c][i]]] = 1;
     for (std::size_t f = 0; f < facet_cell_.size(); ++f) {
       const int32_t c = facet_cell_[f], n = cells_.neighbor[c][facet_place_[f]];
       if (group_[c] == group_[n]) --euler[group_[c]];
@@ -242,10 +248,40 @@ private:
     }
   }
 
+  /// A cone over the rings about each pinch.
+  void fill_pinches() {
+    std::map<int32_t, int32_t> spoke; // vertex: edge to it
+    for (const Pinch &p : pinches_) {
+      spoke.clear();
+      const int32_t hub = int32_t(out_.ball.size());
+      Vec3 sum;
+      for (const auto &[c, i] : p.facets)
+        for (int32_t cell : {c, cells_.neighbor[c][i]}) {
+          const int32_t v = out_.vertex_of_cell[cell];
+          if (!spoke.emplace(v, int32_t(out_.edge.size())).second) continue;
+          out_.edge.push_back({hub, v});
+          out_.edge_samples.push_back({p.sample, p.sample, p.sample});
+          sum += out_.ball[v].center;
+        }
+      const Vec3 at = sum * (1.0 / double(spoke.size()));
+      out_.ball.push_back({at, distance(at, model_.samples.position[p.sample])});
+      for (const auto &[c, i] : p.facets) {
+        const int32_t e = edge_of_facet_[facet_[c][i]];
+        const auto [u, v] = out_.edge[e];
+        out_.face_vertices.index.insert(out_.face_vertices.index.end(), {hub, u, v});
+        out_.face_edges.index.insert(out_.face_edges.index.end(), {spoke.at(u), e, spoke.at(v)});
+        out_.face_vertices.offset.push_back(out_.face_vertices.index.size());
+        out_.face_edges.offset.push_back(out_.face_edges.index.size());
+        out_.face_samples.push_back({p.sample, p.sample});
+      }
+    }
+  }
+
   const Model &model_;
   const Cells &cells_;
   const std::vector<uint8_t> &inside_;
   Progress &progress_;
+  std::vector<Pinch> pinches_;
   BallSet balls_;
   std::vector<int32_t> group_;                // per cell: a cell that names its group
   std::vector<std::array<int32_t, 4>> facet_; // per cell: numbers of the facets to inside cells

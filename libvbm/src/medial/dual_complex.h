@@ -14,7 +14,8 @@ class Progress;
 
 /// Vertices are inside tetrahedra (those on one sphere are one vertex), edges the facets between
 /// two of them, faces the Delaunay edges all round which is inside, solids the samples all round
-/// which is inside. It has the homotopy type of the solid's open interior.
+/// which is inside. It has the homotopy type of the solid that the interpolating surface bounds:
+/// its open interior, with the samples at which the surface passes in several sheets filled in.
 struct DualComplex {
   std::vector<Ball> ball;                           // per vertex, unit frame
   std::vector<int32_t> vertex_of_cell;              // -1 outside
@@ -22,8 +23,9 @@ struct DualComplex {
   std::vector<std::array<int32_t, 3>> edge_samples; // of the facet
   Incidence face_vertices, face_edges;              // in order round the face: edge i joins
                                                     // vertices i and i + 1
-  std::vector<std::array<int32_t, 2>> face_samples; // of the Delaunay edge
-  std::vector<uint8_t> solid;                       // per sample
+  std::vector<std::array<int32_t, 2>>
+      face_samples;           // of the Delaunay edge; both the same at a filled-in sample
+  std::vector<uint8_t> solid; // per sample
 
   std::size_t faces() const { return face_samples.size(); }
 };
