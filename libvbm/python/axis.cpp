@@ -285,7 +285,7 @@ void bind_axis(py::module_ &module) {
       },
       surface
           .doc(std::string("The simplified shape: the power crust of the balls that are left, with "
-                           "the components and\nhandles of the whole shape.\n\n"
+                           "the components and\ntunnels of the whole shape.\n\n"
                            "  drop_outer  leave out outer balls at removed parts too, for sharper "
                            "corners\n") +
                kProgressDoc +

@@ -31,6 +31,13 @@ constexpr const char *kLabelsHelps[] = {
     "The voxel nearest the ball's centre; for volumes",
     "From where the scanner stood; for range scans"};
 
+constexpr const char *kMeasureNames[] = {"triangles", "volume", "width", "angle"};
+constexpr const char *kMeasureLabels[] = {"Triangles", "Volume", "Width", "Angle"};
+constexpr const char *kMeasureHelps[] = {
+    "How many triangles the part has", "Its share of the shape's volume, 0 to 1",
+    "How wide the feature is, as a share of the bounding box's diagonal",
+    "The angle in degrees under which its two sides are seen from the axis"};
+
 // By row: operation, name, label, help, unit, type, items of an enum, default, minimum, maximum.
 constexpr vbm_param kParams[] = {
     {sizeof(vbm_param), "build", "balls", "Balls", "Which of the balls inside the shape are kept",
@@ -61,6 +68,25 @@ constexpr vbm_param kParams[] = {
      "Stop with an error beyond so many Delaunay tetrahedra; 0 stands for one million plus 40 per "
      "sample",
      "", VBM_PARAM_INT, 0, nullptr, nullptr, nullptr, 0, 0, kMaxCount},
+    {sizeof(vbm_param), "medial_axis", "angle", "Object Angle",
+     "A piece is axis where the two samples it is equidistant from are seen under at least this "
+     "angle",
+     "degrees", VBM_PARAM_FLOAT, 0, nullptr, nullptr, nullptr, 45, 0, 180},
+    {sizeof(vbm_param), "medial_axis", "ratio", "Distance Ratio",
+     "Or where they are at least this many times farther apart than neighbouring samples", "ratio",
+     VBM_PARAM_FLOAT, 0, nullptr, nullptr, nullptr, 8, 1, kNoLimit},
+    {sizeof(vbm_param), "prune", "measure", "Measure", "How significant a part of the axis is", "",
+     VBM_PARAM_ENUM, 4, kMeasureNames, kMeasureLabels, kMeasureHelps, VBM_MEASURE_TRIANGLES,
+     VBM_MEASURE_TRIANGLES, VBM_MEASURE_ANGLE},
+    {sizeof(vbm_param), "prune", "threshold", "Threshold",
+     "Parts at the border that are not more significant than this go, where the topology stays", "",
+     VBM_PARAM_FLOAT, 0, nullptr, nullptr, nullptr, 5, 0, kNoLimit},
+    {sizeof(vbm_param), "prune", "iterations", "Iterations",
+     "How often parts are found anew and removed", "", VBM_PARAM_INT, 0, nullptr, nullptr, nullptr,
+     1, 1, 1000},
+    {sizeof(vbm_param), "axis_surface", "drop_outer", "Drop Outer Balls",
+     "Leave out outer balls at removed parts as well, for sharper corners", "", VBM_PARAM_BOOL, 0,
+     nullptr, nullptr, nullptr, 0, 0, 1},
 };
 
 } // namespace
