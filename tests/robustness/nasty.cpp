@@ -129,7 +129,7 @@ Expect either(std::vector<Expect> ways) {
 
 namespace {
 
-const unsigned kSeconds = sanitized() ? 60 : 20;
+const unsigned kSeconds = sanitized() ? 240 : 60;
 constexpr std::size_t kMegabytes = 4000;
 
 /// In a child process: no assertions of the test framework, which would be counted there only.
