@@ -60,7 +60,7 @@ void find_locks(Axis &axis, Progress &progress) {
 
 void finish(Axis &axis, Progress &progress) {
   progress.stage("parts", 0.97);
-  axis.parts = find_parts(*axis.cells, axis.state, progress);
+  axis.parts = find_axis_parts(*axis.cells, axis.state, progress);
   find_locks(axis, progress);
   progress.stage("topology graph", 1);
   fill_views(axis, progress);
@@ -92,7 +92,7 @@ Axis prune_axis(const Axis &from, const vbm_prune_options &options, Progress &pr
   uint64_t kept[5] = {};
   for (int32_t i = 0; i < options.iterations; ++i) {
     progress.stage("pruning", 0.9 * (i + 1) / options.iterations);
-    const Parts parts = find_parts(*axis.cells, axis.state, progress);
+    const AxisParts parts = find_axis_parts(*axis.cells, axis.state, progress);
     std::vector<std::pair<double, int32_t>> order;
     for (std::size_t p = 0; p < parts.list.size(); ++p) {
       const double value = significance(parts.list[p], options.measure, diagonal);

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "core/model.h"
-#include "medial/parts.h"
+#include "medial/axis_parts.h"
 #include "medial/remove_part.h"
 
 #include <memory>
@@ -18,7 +18,7 @@ struct Axis {
   std::shared_ptr<const AxisCells> cells;
   AxisState state;
   std::vector<Removal> removed; // parts, in the order they went
-  Parts parts;                  // of the state
+  AxisParts parts;              // of the state
 
   // What the views show: cells left, vertices renumbered, input units.
   std::vector<double> vertices, radii, nodes;

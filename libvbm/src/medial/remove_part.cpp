@@ -14,7 +14,7 @@
 
 namespace vbm::impl {
 
-Remover::Remover(const AxisCells &cells, const Parts &parts, AxisState &state)
+Remover::Remover(const AxisCells &cells, const AxisParts &parts, AxisState &state)
     : cells_(cells), parts_(parts), state_(state), triangles_at_(cells.edge.size(), 0),
       edges_at_(cells.ball.size(), 0) {
   const auto by_part = [&](const std::vector<int32_t> &part_of) {

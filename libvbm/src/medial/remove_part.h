@@ -2,7 +2,7 @@
 // Taking parts off a medial axis where that cannot change its topology (thesis 7.5.3).
 #pragma once
 
-#include "medial/parts.h"
+#include "medial/axis_parts.h"
 
 #include <cstdint>
 #include <vector>
@@ -19,7 +19,7 @@ struct Removal {
 class Remover {
 public:
   /// `parts` are the state's when this is made; both must outlive it.
-  Remover(const AxisCells &cells, const Parts &parts, AxisState &state);
+  Remover(const AxisCells &cells, const AxisParts &parts, AxisState &state);
 
   /// Remove a part by elementary collapses; if there is no way to, nothing is changed and the
   /// reason is returned.
@@ -38,7 +38,7 @@ private:
   bool ends_meet() const;
 
   const AxisCells &cells_;
-  const Parts &parts_;
+  const AxisParts &parts_;
   AxisState &state_;
   Incidence part_triangles_, part_edges_;
   std::vector<int32_t> triangles_at_, edges_at_; // per edge, per vertex: those left

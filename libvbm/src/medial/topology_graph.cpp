@@ -9,8 +9,9 @@
 
 namespace vbm::impl {
 
-TopologyGraph topology_graph(const AxisCells &cells, const AxisState &state, const Parts &parts) {
-  const auto is_contact = [&](int32_t v) { return parts.of_vertex[v] == Parts::kContact; };
+TopologyGraph topology_graph(const AxisCells &cells, const AxisState &state,
+                             const AxisParts &parts) {
+  const auto is_contact = [&](int32_t v) { return parts.of_vertex[v] == AxisParts::kContact; };
   std::vector<int32_t> triangles_at(cells.edge.size(), 0);
   for (std::size_t t = 0; t < cells.triangle.size(); ++t)
     if (state.triangle[t])

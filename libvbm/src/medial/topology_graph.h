@@ -2,7 +2,7 @@
 // The topology graph of a medial axis (thesis 7.5.3, Figures 7.8, 7.9, 7.11).
 #pragma once
 
-#include "medial/parts.h"
+#include "medial/axis_parts.h"
 
 namespace vbm::impl {
 
@@ -13,6 +13,7 @@ struct TopologyGraph {
   Incidence part_nodes;   // per part, ascending
 };
 
-TopologyGraph topology_graph(const AxisCells &cells, const AxisState &state, const Parts &parts);
+TopologyGraph topology_graph(const AxisCells &cells, const AxisState &state,
+                             const AxisParts &parts);
 
 } // namespace vbm::impl

@@ -3,7 +3,7 @@
 // pieces across edges of two triangles whatever they begin with, and their level is found
 // afterwards, breadth first. Axes may have curves, too, where a shape is a tube: those are parts
 // without triangles.
-#include "medial/parts.h"
+#include "medial/axis_parts.h"
 
 #include "core/progress.h"
 
@@ -18,7 +18,7 @@ public:
   Finder(const AxisCells &cells, const AxisState &state, Progress &progress)
       : cells_(cells), state_(state), progress_(progress) {}
 
-  Parts run() {
+  AxisParts run() {
     out_.of_triangle.assign(cells_.triangle.size(), -1);
     out_.of_edge.assign(cells_.edge.size(), -1);
     count();
@@ -113,13 +113,13 @@ private:
   }
 
   void settle_vertices() {
-    out_.of_vertex.assign(cells_.ball.size(), Parts::kNothing);
+    out_.of_vertex.assign(cells_.ball.size(), AxisParts::kNothing);
     visit_vertices([&](int32_t v, int32_t part) {
       int32_t &at = out_.of_vertex[v];
-      if (at == Parts::kNothing)
+      if (at == AxisParts::kNothing)
         at = part;
       else if (at != part)
-        at = Parts::kContact;
+        at = AxisParts::kContact;
     });
   }
 
@@ -141,7 +141,8 @@ private:
     for (std::size_t e = 0; e < cells_.edge.size(); ++e)
       if (out_.of_edge[e] >= 0)
         for (int32_t v : cells_.edge[e])
-          if (out_.of_vertex[v] == Parts::kContact) contact.push_back({edges + v, out_.of_edge[e]});
+          if (out_.of_vertex[v] == AxisParts::kContact)
+            contact.push_back({edges + v, out_.of_edge[e]});
     std::sort(contact.begin(), contact.end());
     std::vector<std::vector<int32_t>> near(out_.list.size());
     for (std::size_t i = 0; i < contact.size();) {
@@ -199,7 +200,7 @@ private:
   const AxisState &state_;
   Progress &progress_;
   std::vector<int32_t> triangles_at_, edges_at_; // per edge, per vertex: those left
-  Parts out_;
+  AxisParts out_;
 };
 
 } // namespace
@@ -212,7 +213,7 @@ AxisState whole_axis(const AxisCells &cells) {
   return state;
 }
 
-Parts find_parts(const AxisCells &cells, const AxisState &state, Progress &progress) {
+AxisParts find_axis_parts(const AxisCells &cells, const AxisState &state, Progress &progress) {
   return Finder(cells, state, progress).run();
 }
 

@@ -21,13 +21,13 @@ AxisState whole_axis(const AxisCells &cells);
 
 /// A sheet's triangles hang together across edges that exactly two triangles left share; a curve's
 /// edges have no triangle and hang together at vertices that have no other edge.
-struct Parts {
+struct AxisParts {
   std::vector<int32_t> of_triangle, of_edge; // -1: not left; of_edge is -1 for edges of triangles
   std::vector<int32_t> of_vertex;            // the only part at a vertex, or kContact, or kNothing
   std::vector<vbm_part> list;                // `locked` is not decided yet
   static constexpr int32_t kNothing = -1, kContact = -2;
 };
 
-Parts find_parts(const AxisCells &cells, const AxisState &state, Progress &progress);
+AxisParts find_axis_parts(const AxisCells &cells, const AxisState &state, Progress &progress);
 
 } // namespace vbm::impl
