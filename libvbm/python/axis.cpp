@@ -264,6 +264,12 @@ void bind_axis(py::module_ &module) {
           .doc("Bring back what the last prune() or remove() took. Returns whether there was one.")
           .c_str());
   type.def(
+      "copy", [](const MedialAxis &self) { return MedialAxis(self); },
+      Signature("copy", {}, true)
+          .doc("A second axis in the same state, with the same past, in no time and memory.\n"
+               "What is pruned from one stays in the other.")
+          .c_str());
+  type.def(
       "topology_graph", topology_graph,
       Signature("topology_graph", {}, true)
           .doc("The topology graph, as a dict: 'nodes' (k, 3), the middles of contact curves, "

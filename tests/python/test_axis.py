@@ -105,6 +105,18 @@ def test_pruning_keeps_topology_and_undo_brings_back():
     assert not axis.undo()
 
 
+def test_a_copy_goes_its_own_way():
+    axis = vbm.build(box_points(0.1, 5)).medial_axis()
+    whole = axis.report
+    axis.prune(volume=0.01)
+    pruned = axis.report
+    other = axis.copy()
+    other.prune(volume=0.9)
+    assert other.report.parts < pruned.parts and axis.report == pruned
+    assert other.undo() and other.undo() and other.report == whole
+    assert axis.report == pruned and pruned.parts < whole.parts
+
+
 def test_a_part_is_removed_by_its_number():
     axis = vbm.build(box_points(0.1, 6)).medial_axis()
     free = next(i for i, part in enumerate(axis.parts) if not part.locked)
