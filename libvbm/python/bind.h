@@ -13,6 +13,7 @@ pybind11::object axis_to_python(Axis axis);
 void bind_axis(pybind11::module_ &module);
 void bind_surface(pybind11::module_ &module);
 void bind_model(pybind11::module_ &module);
+void bind_balls(pybind11::module_ &module);
 void bind_build(pybind11::module_ &module);
 
 } // namespace vbm::python

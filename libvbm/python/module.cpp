@@ -39,5 +39,6 @@ PYBIND11_MODULE(vbm, module) {
   bind_axis(module);
   bind_model(module);
   bind_build(module);
+  bind_balls(module);
   bind_parameters(module);
 }

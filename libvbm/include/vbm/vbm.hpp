@@ -339,5 +339,6 @@ inline std::vector<vbm_param> parameters() {
 } // namespace vbm
 
 #include <vbm/axis.hpp>
+#include <vbm/balls.hpp>
 
 #endif // VBM_VBM_HPP

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/model.h"
+#include "measure/union_measures.h"
 #include "medial/axis.h"
 
 #include <vbm/vbm.h>
@@ -35,6 +36,11 @@ struct vbm_model {
 
 struct vbm_axis {
   vbm::impl::Axis axis;
+};
+
+struct vbm_measures {
+  vbm::impl::UnionMeasures measures; // input units
+  vbm_measures_report report;
 };
 
 struct vbm_surface {

@@ -59,4 +59,22 @@ inline constexpr double kCrustMerge = 0.6;
 /// polygons inwards by more than this; merging those that are one sample does by less.
 inline constexpr double kCrustFold = 0.2;
 
+/// Unit lengths. Smaller balls of a list are taken as points, which bound nothing: of their spheres
+/// doubles could not tell one place from another.
+inline constexpr double kLeastBall = 1e-12;
+
+/// Ratio. Balls of a dual shape have their radii grown by this, so that balls which touch do meet, in
+/// spite of rounding: round a point that all of them touch the outside then is one convex piece or
+/// nothing, never a void. Above kPowerChange, which the balls then differ by, and far below what
+/// can be seen.
+inline constexpr double kTouch = 1e-8;
+
+/// Unit lengths. Balls of a model touch their samples to within this: kCospherical, and what
+/// rounding adds. Their radii are grown by it as well.
+inline constexpr double kModelTouch = 2e-11;
+
+/// Unit lengths. The points where three or four balls of a dual shape are equally far are computed in
+/// more digits where doubles may err by more.
+inline constexpr double kOrthocenterError = 1e-13;
+
 } // namespace vbm::impl

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Unions of any balls: measures.
+#include "capi/guard.h"
+#include "capi/views.h"
+#include "dual/ball_list.h"
+#include "measure/union_measures.h"
+
+using namespace vbm::impl;
+
+namespace {
+
+vbm_measures *measure_list(const BallList &list, std::size_t count, Progress &progress) {
+  const UnionMeasures unit = union_measures(list.balls, 0, progress);
+  vbm_measures result;
+  UnionMeasures &m = result.measures;
+  const int e = list.frame.exponent;
+  m.ball_volume.assign(count, 0);
+  m.ball_area.assign(count, 0);
+  for (std::size_t b = 0; b < list.balls.size(); ++b) {
+    m.ball_volume[list.input[b]] = std::ldexp(unit.ball_volume[b], 3 * e);
+    m.ball_area[list.input[b]] = std::ldexp(unit.ball_area[b], 2 * e);
+  }
+  m.volume = std::ldexp(unit.volume, 3 * e);
+  m.area = std::ldexp(unit.area, 2 * e);
+  result.report = {sizeof result.report, count, unit.hidden + list.points, m.volume, m.area};
+  return new vbm_measures(std::move(result));
+}
+
+} // namespace
+
+extern "C" {
+
+vbm_status vbm_union_measures(vbm_context *context, const double *centers, const double *radii,
+                              size_t count, vbm_measures **out) {
+  return guarded(context, out, [&](Progress &progress) {
+    progress.stage("union of balls", 1);
+    return measure_list(ball_list(centers, radii, count, progress), count, progress);
+  });
+}
+
+void vbm_measures_free(vbm_measures *measures) { delete measures; }
+
+vbm_status vbm_measures_get_report(const vbm_measures *measures, vbm_measures_report *report) {
+  return copy_report(measures ? &measures->report : nullptr, report);
+}
+const double *vbm_measures_ball_volumes(const vbm_measures *m, size_t *count) {
+  return m ? view(m->measures.ball_volume, 1, count) : none<double>(count);
+}
+const double *vbm_measures_ball_areas(const vbm_measures *m, size_t *count) {
+  return m ? view(m->measures.ball_area, 1, count) : none<double>(count);
+}
+
+} // extern "C"
