@@ -26,9 +26,12 @@ const char *const kAxisDoc =
 const char *const kPruneDoc =
     "Remove the parts of level 1 that are not more significant than a threshold, least "
     "significant\n"
-    "first, where the topology stays; parts that had to stay are in notes.\n\n"
+    "first, where the topology stays; stayed lists the parts that had to stay.\n\n"
     "  triangles   remove parts of at most so many triangles, ...\n"
-    "  volume      ... then those that stand for at most this share of the volume (0 to 1), ...\n"
+    "  volume      ... then those with at most this share of the tetrahedra by volume (0 to 1), "
+    "...\n"
+    "  balls       ... then those with at most this share of the balls' exact volume (0 to 1), "
+    "...\n"
     "  width       ... then those whose samples are at most this far apart, as a share of the\n"
     "              bounding-box diagonal, ...\n"
     "  angle       ... then those whose samples are seen under at most this angle, in degrees\n"
@@ -125,6 +128,7 @@ std::optional<double> threshold(const Arguments &given, const char *name) {
 void prune(MedialAxis &self, const Arguments &given) {
   const std::pair<const char *, vbm_measure> measures[] = {{"triangles", VBM_MEASURE_TRIANGLES},
                                                            {"volume", VBM_MEASURE_VOLUME},
+                                                           {"balls", VBM_MEASURE_BALLS},
                                                            {"width", VBM_MEASURE_WIDTH},
                                                            {"angle", VBM_MEASURE_ANGLE}};
   std::shared_ptr<State> state = self.states.back();
@@ -139,19 +143,37 @@ void prune(MedialAxis &self, const Arguments &given) {
         given["progress"], [&](Context &context) { return state->axis.prune(context, options); })});
   }
   if (state == self.states.back())
-    bad_argument("prune() needs a threshold: triangles, volume, width or angle");
+    bad_argument("prune() needs a threshold: triangles, volume, balls, width or angle");
   self.states.push_back(std::move(state));
 }
 
-void remove(MedialAxis &self, const Arguments &given) {
-  const py::object which = given["part"];
+Indices one_or_more(const Arguments &given, const char *name, const char *element) {
+  const py::object which = given[name];
   py::list one;
   if (PyIndex_Check(which.ptr())) one.append(which);
-  const Indices parts = indices(one.empty() ? which : one, "part", "part");
-  const View<int32_t> view{parts.data(), std::size_t(parts.size())};
-  Axis left = run(given["progress"],
-                  [&](Context &context) { return self.now().axis.remove_parts(context, view); });
+  return indices(one.empty() ? which : one, name, element);
+}
+
+void remove(MedialAxis &self, const Arguments &given) {
+  const bool by_part = !given["part"].is_none();
+  if (by_part == !given["triangles"].is_none())
+    bad_argument("remove() needs either a part or triangles");
+  const Indices numbers =
+      by_part ? one_or_more(given, "part", "part") : one_or_more(given, "triangles", "triangle");
+  const View<int32_t> view{numbers.data(), std::size_t(numbers.size())};
+  Axis left = run(given["progress"], [&](Context &context) {
+    const Axis &axis = self.now().axis;
+    return by_part ? axis.remove_parts(context, view) : axis.remove_triangles(context, view);
+  });
   self.states.push_back(std::make_shared<State>(State{std::move(left)}));
+}
+
+py::list stayed(const MedialAxis &self) {
+  const View<int32_t> parts = self.now().axis.stayed(), locks = self.now().axis.stayed_locks();
+  py::list out;
+  for (std::size_t i = 0; i < parts.size; ++i)
+    out.append(py::make_tuple(parts[i], lock_text(locks[i])));
+  return out;
 }
 
 py::dict topology_graph(const MedialAxis &self) {
@@ -222,9 +244,34 @@ void bind_axis(py::module_ &module) {
       "notes", [](const MedialAxis &self) { return lines_of(self.now().axis.notes()); },
       "What the last operation has to say, a list of sentences.");
 
+  type.def_property_readonly(
+      "stayed", stayed,
+      "Parts of level 1 that the last prune() found below its last threshold and left, least "
+      "significant\nfirst: a list of (part, why), why as in Part.locked.");
+  const Signature volumes("part_ball_volumes", {{"progress", "None", true}}, true);
+  type.def(
+      "part_ball_volumes",
+      [volumes](const MedialAxis &self, const py::args &args, const py::kwargs &kwargs) {
+        const Arguments given = volumes.bind(args, kwargs);
+        const auto state = self.states.back();
+        const View<double> shares = run(given["progress"], [&](Context &context) {
+          return state->axis.part_ball_volumes(context);
+        });
+        return output(shares, py::cast(state));
+      },
+      volumes
+          .doc(std::string("For every part its share of the exact volume of the union of all inner "
+                           "balls, (p,) float64.\n\nA ball's volume is that of the union's part in "
+                           "its power cell. Found when first asked for.\n\n") +
+               kProgressDoc +
+               "\nRaises OutOfMemory, Cancelled. Source: thesis 7.9; Edelsbrunner, \"The union of "
+               "balls and\nits dual shape\" (1995).")
+          .c_str());
+
   const Signature pruning("prune",
                           {{"triangles", "None"},
                            {"volume", "None"},
+                           {"balls", "None"},
                            {"width", "None"},
                            {"angle", "None"},
                            {"iterations", "1", true},
@@ -240,18 +287,22 @@ void bind_axis(py::module_ &module) {
                "\nRaises ArgumentError, OutOfMemory, Cancelled; the axis is then as it was.\n"
                "Source: thesis 7.5.2, 7.5.3.")
           .c_str());
-  const Signature removing("remove", {{"part"}, {"progress", "None", true}}, true);
+  const Signature removing(
+      "remove", {{"part", "None"}, {"triangles", "None"}, {"progress", "None", true}}, true);
   type.def(
       "remove",
       [removing](MedialAxis &self, const py::args &args, const py::kwargs &kwargs) {
         remove(self, removing.bind(args, kwargs));
       },
       removing
-          .doc(
-              std::string("Remove a part, or several, by their numbers in parts.\n\n") +
-              kProgressDoc +
-              "\nRaises InputError for a part that is not there or cannot go, saying why; the axis "
-              "is then\nas it was. Source: thesis 7.7, Figure 7.13.")
+          .doc(std::string("Remove a part, or several, where the topology stays.\n\n"
+                           "  part       a number in parts, or a list of them\n"
+                           "  triangles  instead: a triangle of the part, or a list of triangles "
+                           "of parts\n") +
+               kProgressDoc +
+               "\nParts may go that only others named with them hold. Raises InputError for a part "
+               "that is not there\nor cannot go, saying why; the axis is then as it was. Source: "
+               "thesis 7.7, Figure 7.13.")
           .c_str());
   type.def(
       "undo",

@@ -127,6 +127,90 @@ def test_a_part_is_removed_by_its_number():
     assert betti(axis) == [1, 0, 0]
 
 
+def test_a_part_is_removed_by_any_of_its_triangles():
+    axis = vbm.build(box_points(0.1, 6)).medial_axis()
+    for part in [i for i, part in enumerate(axis.parts) if part.level == 1][:3]:
+        triangles = np.flatnonzero(axis.triangle_part == part)
+        by_number = axis.remove(part) or axis.triangles.copy()
+        assert axis.undo()
+        for triangle in triangles[[0, len(triangles) // 2, -1]]:
+            axis.remove(triangles=int(triangle))
+            assert np.array_equal(axis.triangles, by_number)
+            assert axis.undo()
+    # Several at once, in any order; an inner part goes after those that hold it.
+    inner = next(i for i, part in enumerate(axis.parts) if part.level == 2)
+    with pytest.raises(vbm.InputError, match=f"part {inner} cannot go: it has no border"):
+        axis.remove(triangles=np.flatnonzero(axis.triangle_part == inner)[:1])
+    outer = [i for i in range(13) if i != inner]
+    one = [np.flatnonzero(axis.triangle_part == p)[0] for p in [inner, *outer[:9]]]
+    axis.remove(triangles=one)
+    assert betti(axis) == [1, 0, 0] and axis.report.parts < 4
+    with pytest.raises(vbm.InputError, match="there is no triangle -1"):
+        axis.remove(triangles=-1)
+    with pytest.raises(vbm.InputError, match="there is no triangle 1000000: the axis has"):
+        axis.remove(triangles=[0, 1000000])
+    with pytest.raises(vbm.ArgumentError, match="either a part or triangles"):
+        axis.remove(0, triangles=0)
+
+
+def test_parts_that_hold_each_other_cannot_all_go():
+    axis = vbm.build(box_points(0.1, 6)).medial_axis()
+    whole = axis.report
+    with pytest.raises(vbm.InputError, match=r"part \d+ cannot go: ") as error:
+        axis.remove(list(range(13)))
+    assert error.value.kind == "part" and len(error.value.elements) > 0
+    assert axis.report == whole
+
+
+def test_pruning_lists_what_stays_and_why():
+    # Two tori joined by a bar: pruned to the end, the bar is a bridge between rings.
+    ring = torus_points(90, 30)
+    bar = sphere_points(900, 0.25) * (4.0, 1, 1)
+    inside = lambda p, x: (np.hypot(p[:, 0] - x, p[:, 1]) - 1) ** 2 + p[:, 2] ** 2 < 0.35**2
+    pieces = [ring + (1.9, 0, 0), ring - (1.9, 0, 0), bar]
+    points = np.concatenate(
+        [
+            pieces[0][~(np.square(pieces[0] / (1, 0.25, 0.25)).sum(axis=1) < 1)],
+            pieces[1][~(np.square(pieces[1] / (1, 0.25, 0.25)).sum(axis=1) < 1)],
+            bar[~inside(bar, 1.9) & ~inside(bar, -1.9)],
+        ]
+    )
+    axis = vbm.build(points).medial_axis()
+    before = betti(axis)
+    axis.prune(triangles=1e9, volume=1, iterations=10)
+    assert betti(axis) == before == [1, 2, 0]
+    assert axis.parts and all(part.locked for part in axis.parts)
+    for part, why in axis.stayed:
+        assert axis.parts[part].level == 1 and axis.parts[part].locked == why != ""
+    assert [part for part, _ in axis.stayed] == sorted(
+        (i for i, p in enumerate(axis.parts) if p.level == 1), key=lambda i: axis.parts[i].volume
+    )
+    if axis.stayed:
+        assert str(axis.stayed[0][0]) in " ".join(axis.notes)
+
+
+def test_exact_volume_of_balls():
+    axis = vbm.build(box_points(0.1, 6)).medial_axis()
+    shares = axis.part_ball_volumes()
+    tetrahedra = np.array([part.volume for part in axis.parts])
+    assert shares.shape == (13,) and (shares > 0).all()
+    assert shares.sum() < 1  # what contact curves have goes with none
+    # Balls and tetrahedra fill nearly the same.
+    assert np.allclose(shares, tetrahedra, atol=0.02)
+    order = np.argsort(shares)
+    levels = np.array([part.level for part in axis.parts])
+    least = next(p for p in order if levels[p] == 1)
+    parts = axis.report.parts
+    axis.prune(balls=shares[least])
+    assert axis.report.parts <= parts - 1 and betti(axis) == [1, 0, 0]
+    assert axis.undo()
+    axis.prune(balls=shares[least] * (1 - 1e-9))
+    assert axis.report.parts == parts
+    # Of the same union, after pruning as before.
+    axis.prune(balls=shares[least])
+    assert axis.part_ball_volumes().sum() < shares.sum()
+
+
 def test_a_torus_keeps_its_tunnel():
     model = vbm.build(torus_points())
     axis = model.medial_axis()

@@ -108,15 +108,24 @@ VBM_API const int32_t *vbm_axis_part_nodes(const vbm_axis *axis, const uint64_t 
                                            size_t *count);
 /* For every inner ball of the model 1 if it is left, 0 if it went with a part that was removed. */
 VBM_API const uint8_t *vbm_axis_kept_balls(const vbm_axis *axis, size_t *count);
+/* The exact volume that goes with each part: the share, 0 to 1, of the union of all the model's inner
+ * balls; a ball's is the union's part in its power cell. It is found when first asked for, once for an
+ * axis and all pruned from it (that takes about as long as the axis did). *shares, a number a part,
+ * belongs to the axis; it is NULL on failure.
+ * Errors: ARGUMENT, MEMORY, CANCELLED. Source: thesis 7.9; Edelsbrunner, "The union of balls and its
+ * dual shape" (1995). */
+VBM_API vbm_status vbm_axis_part_ball_volumes(vbm_context *context, const vbm_axis *axis,
+                                              const double **shares, size_t *count);
 
 /* ---- Pruning (7.5.2, 7.5.3) --------------------------------------------------------------------- */
 
 /* How significant a part is. */
 typedef enum vbm_measure {
   VBM_MEASURE_TRIANGLES = 0, /* its triangles                                                     */
-  VBM_MEASURE_VOLUME = 1,    /* its share of the volume, 0 to 1                                   */
+  VBM_MEASURE_VOLUME = 1,    /* vbm_part.volume: its share of the tetrahedra, 0 to 1              */
   VBM_MEASURE_WIDTH = 2,     /* vbm_part.width over the model's bounding-box diagonal             */
-  VBM_MEASURE_ANGLE = 3      /* vbm_part.angle, degrees                                           */
+  VBM_MEASURE_ANGLE = 3,     /* vbm_part.angle, degrees                                           */
+  VBM_MEASURE_BALLS = 4      /* its share of the balls' exact volume: vbm_axis_part_ball_volumes() */
 } vbm_measure;
 
 typedef struct vbm_prune_options {
@@ -128,17 +137,27 @@ typedef struct vbm_prune_options {
 
 VBM_API void vbm_prune_options_init(vbm_prune_options *options, size_t struct_size);
 
-/* Remove the parts of level 1 that are not more significant than the threshold, where the topology
- * stays. Notes say which parts had to stay, and why.
+/* Remove the parts of level 1 that are not more significant than the threshold, least significant
+ * first, where the topology stays; vbm_axis_stayed() lists those that had to stay.
  * Errors: ARGUMENT, MEMORY, CANCELLED. Source: thesis 7.5.2, 7.5.3. */
 VBM_API vbm_status vbm_axis_prune(vbm_context *context, const vbm_axis *axis,
                                   const vbm_prune_options *options, vbm_axis **out);
 
-/* Remove the parts with these numbers, in this order.
- * Errors: INPUT (a part that cannot go: says which and why, kind "part"), ARGUMENT, MEMORY,
+/* Of an axis that vbm_axis_prune() made: its parts of level 1 that are not more significant than the
+ * threshold and had to stay, least significant first, and *locks, as many, says why (vbm_lock). */
+VBM_API const int32_t *vbm_axis_stayed(const vbm_axis *axis, const int32_t **locks, size_t *count);
+
+/* Remove the parts with these numbers, outer ones first: a part may go when others that are named
+ * have gone. All go, or none.
+ * Errors: INPUT (parts that cannot go: says which and why, kind "part"), ARGUMENT, MEMORY,
  * CANCELLED. Source: thesis 7.7, Figure 7.13. */
 VBM_API vbm_status vbm_axis_remove_parts(vbm_context *context, const vbm_axis *axis,
                                          const int32_t *parts, size_t count, vbm_axis **out);
+/* The same for the parts that these triangles of vbm_axis_triangles() belong to.
+ * Errors: as vbm_axis_remove_parts(); INPUT also for a triangle that is not there, kind "triangle". */
+VBM_API vbm_status vbm_axis_remove_triangles(vbm_context *context, const vbm_axis *axis,
+                                             const int32_t *triangles, size_t count,
+                                             vbm_axis **out);
 
 /* ---- The simplified shape (7.6) ------------------------------------------------------------------ */
 

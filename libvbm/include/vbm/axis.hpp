@@ -36,6 +36,23 @@ public:
   View<double, 3> nodes() const { return view<3>(vbm_axis_nodes); }
   Lists part_nodes() const { return lists(vbm_axis_part_nodes); }
   View<std::uint8_t> kept_balls() const { return view(vbm_axis_kept_balls); }
+  /// Parts that pruning left below its threshold, and for each a vbm_lock.
+  View<std::int32_t> stayed() const {
+    View<std::int32_t> parts;
+    parts.data = vbm_axis_stayed(handle(), nullptr, &parts.size);
+    return parts;
+  }
+  View<std::int32_t> stayed_locks() const {
+    View<std::int32_t> locks;
+    vbm_axis_stayed(handle(), &locks.data, &locks.size);
+    return locks;
+  }
+  View<double> part_ball_volumes(Context &context) const {
+    View<double> shares;
+    context.check(
+        vbm_axis_part_ball_volumes(context.handle(), handle(), &shares.data, &shares.size));
+    return shares;
+  }
   const char *notes() const { return vbm_axis_notes(handle()); }
 
   vbm_axis_report report() const {
@@ -57,6 +74,14 @@ public:
     vbm_axis *out = nullptr;
     const vbm_status status =
         vbm_axis_remove_parts(context.handle(), handle(), parts.data, parts.size, &out);
+    Axis axis(out);
+    context.check(status);
+    return axis;
+  }
+  Axis remove_triangles(Context &context, View<std::int32_t> triangles) const {
+    vbm_axis *out = nullptr;
+    const vbm_status status =
+        vbm_axis_remove_triangles(context.handle(), handle(), triangles.data, triangles.size, &out);
     Axis axis(out);
     context.check(status);
     return axis;

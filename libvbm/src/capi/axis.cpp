@@ -17,6 +17,12 @@ const Axis &axis_of(const vbm_axis *axis) {
   return axis->axis;
 }
 
+void check_array(const char *name, const int32_t *values, size_t count) {
+  if (!values && count)
+    throw Error(VBM_ERROR_ARGUMENT,
+                std::string(name) + " is NULL, but " + std::to_string(count) + " were announced");
+}
+
 } // namespace
 
 extern "C" {
@@ -43,10 +49,30 @@ vbm_status vbm_axis_remove_parts(vbm_context *context, const vbm_axis *axis, con
                                  size_t count, vbm_axis **out) {
   return guarded(context, out, [&](Progress &progress) {
     const Axis &a = axis_of(axis);
-    if (!parts && count)
-      throw Error(VBM_ERROR_ARGUMENT,
-                  "parts is NULL, but " + std::to_string(count) + " were announced");
+    check_array("parts", parts, count);
     return new vbm_axis{remove_parts(a, parts, count, progress)};
+  });
+}
+
+vbm_status vbm_axis_remove_triangles(vbm_context *context, const vbm_axis *axis,
+                                     const int32_t *triangles, size_t count, vbm_axis **out) {
+  return guarded(context, out, [&](Progress &progress) {
+    const Axis &a = axis_of(axis);
+    check_array("triangles", triangles, count);
+    return new vbm_axis{remove_triangles(a, triangles, count, progress)};
+  });
+}
+
+vbm_status vbm_axis_part_ball_volumes(vbm_context *context, const vbm_axis *axis,
+                                      const double **shares, size_t *count) {
+  if (shares) *shares = nullptr;
+  if (count) *count = 0;
+  return guarded(context, [&](Progress &progress) {
+    if (!shares) throw Error(VBM_ERROR_ARGUMENT, "shares is NULL");
+    const Axis &a = axis_of(axis);
+    const std::vector<double> &found = part_ball_shares(a, progress);
+    progress.finish();
+    *shares = view(found, 1, count);
   });
 }
 
@@ -97,6 +123,10 @@ const double *vbm_axis_nodes(const vbm_axis *a, size_t *count) {
 }
 const int32_t *vbm_axis_part_nodes(const vbm_axis *a, const uint64_t **offsets, size_t *count) {
   return a ? view(a->axis.part_nodes, offsets, count) : none(offsets, count);
+}
+const int32_t *vbm_axis_stayed(const vbm_axis *a, const int32_t **locks, size_t *count) {
+  if (locks) *locks = a ? a->axis.stayed_lock.data() : nullptr;
+  return a ? view(a->axis.stayed, 1, count) : none<int32_t>(count);
 }
 const uint8_t *vbm_axis_kept_balls(const vbm_axis *a, size_t *count) {
   return a ? view(a->axis.kept, 1, count) : none<uint8_t>(count);

@@ -31,6 +31,20 @@ void clear_error(vbm_context &context) noexcept;
 /// Turn the exception in flight into a status and the context's message.
 vbm_status handle_exception(vbm_context &context) noexcept;
 
+/// Run `body(progress)`, a callable that returns nothing.
+template <class Body> vbm_status guarded(vbm_context *context, Body &&body) noexcept {
+  if (!context) return VBM_ERROR_ARGUMENT;
+  clear_error(*context);
+  try {
+    const FloatingPointGuard floating_point;
+    Progress progress(context->progress, context->user);
+    body(progress);
+    return VBM_OK;
+  } catch (...) {
+    return handle_exception(*context);
+  }
+}
+
 /// Run `body(progress)`, a callable that returns the new handle, and give its result to the caller.
 template <class Handle, class Body>
 vbm_status guarded(vbm_context *context, Handle **out, Body &&body) noexcept {

@@ -93,8 +93,8 @@ vbm_axis_options read_options(const vbm_axis_options *options) {
 
 vbm_prune_options read_options(const vbm_prune_options *options) {
   const vbm_prune_options o = read(options, prune_defaults(), "vbm_prune_options_init");
-  if (o.measure < VBM_MEASURE_TRIANGLES || o.measure > VBM_MEASURE_ANGLE)
-    bad_option("measure", "is " + std::to_string(o.measure) + ": use 0 to 3 (vbm_measure)");
+  if (o.measure < VBM_MEASURE_TRIANGLES || o.measure > VBM_MEASURE_BALLS)
+    bad_option("measure", "is " + std::to_string(o.measure) + ": use 0 to 4 (vbm_measure)");
   if (o.iterations < 1 || o.iterations > 1000)
     bad_option("iterations",
                "is " + std::to_string(o.iterations) + ", outside its range 1 to 1000");

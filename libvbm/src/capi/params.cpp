@@ -31,12 +31,14 @@ constexpr const char *kLabelsHelps[] = {
     "The voxel nearest the ball's centre; for volumes",
     "From where the scanner stood; for range scans"};
 
-constexpr const char *kMeasureNames[] = {"triangles", "volume", "width", "angle"};
-constexpr const char *kMeasureLabels[] = {"Triangles", "Volume", "Width", "Angle"};
+constexpr const char *kMeasureNames[] = {"triangles", "volume", "width", "angle", "balls"};
+constexpr const char *kMeasureLabels[] = {"Triangles", "Volume", "Width", "Angle",
+                                          "Volume of Balls"};
 constexpr const char *kMeasureHelps[] = {
-    "How many triangles the part has", "Its share of the shape's volume, 0 to 1",
+    "How many triangles the part has", "Its share of the shape's tetrahedra by volume, 0 to 1",
     "How wide the feature is, as a share of the bounding box's diagonal",
-    "The angle in degrees under which its two sides are seen from the axis"};
+    "The angle in degrees under which its two sides are seen from the axis",
+    "Its share of the exact volume of all the inner balls together, 0 to 1"};
 
 // By row: operation, name, label, help, unit, type, items of an enum, default, minimum, maximum.
 constexpr vbm_param kParams[] = {
@@ -76,8 +78,8 @@ constexpr vbm_param kParams[] = {
      "Or where they are at least this many times farther apart than neighbouring samples", "ratio",
      VBM_PARAM_FLOAT, 0, nullptr, nullptr, nullptr, 8, 1, kNoLimit},
     {sizeof(vbm_param), "prune", "measure", "Measure", "How significant a part of the axis is", "",
-     VBM_PARAM_ENUM, 4, kMeasureNames, kMeasureLabels, kMeasureHelps, VBM_MEASURE_TRIANGLES,
-     VBM_MEASURE_TRIANGLES, VBM_MEASURE_ANGLE},
+     VBM_PARAM_ENUM, 5, kMeasureNames, kMeasureLabels, kMeasureHelps, VBM_MEASURE_TRIANGLES,
+     VBM_MEASURE_TRIANGLES, VBM_MEASURE_BALLS},
     {sizeof(vbm_param), "prune", "threshold", "Threshold",
      "Parts at the border that are not more significant than this go, where the topology stays", "",
      VBM_PARAM_FLOAT, 0, nullptr, nullptr, nullptr, 5, 0, kNoLimit},

@@ -4,6 +4,8 @@
 #include "core/error.h"
 #include "core/progress.h"
 #include "medial/axis_views.h"
+#include "medial/lock_text.h"
+#include "medial/locks.h"
 
 #include <algorithm>
 #include <string>
@@ -11,59 +13,69 @@
 namespace vbm::impl {
 namespace {
 
-const char *reason(vbm_lock lock) {
-  switch (lock) {
-  case VBM_LOCK_INNER:
-    return "it has no border: the parts around it must go first";
-  case VBM_LOCK_TUNNEL:
-    return "a tunnel of the shape would be lost";
-  case VBM_LOCK_BRIDGE:
-    return "the shape would fall apart";
-  case VBM_LOCK_LAST:
-    return "it is all that is left of a piece of the shape";
-  case VBM_LOCK_NONE:
-    break;
-  }
-  return "";
+/// Per part its significance. Ball shares are per vertex, and only there if they are the measure.
+std::vector<double> significance(const Axis &axis, int32_t measure,
+                                 const std::vector<double> *ball_shares) {
+  const std::vector<vbm_part> &list = axis.parts.list;
+  if (measure == VBM_MEASURE_BALLS) return sum_by_part(axis.parts, *ball_shares);
+  const double diagonal = axis.model->report.diagonal;
+  std::vector<double> out(list.size());
+  for (std::size_t p = 0; p < list.size(); ++p) switch (measure) {
+    case VBM_MEASURE_VOLUME:
+      out[p] = list[p].volume;
+      break;
+    case VBM_MEASURE_WIDTH:
+      out[p] = diagonal > 0 ? list[p].width / diagonal : 0;
+      break;
+    case VBM_MEASURE_ANGLE:
+      out[p] = list[p].angle;
+      break;
+    default:
+      out[p] = double(list[p].triangles);
+    }
+  return out;
 }
 
-double significance(const vbm_part &part, int32_t measure, double diagonal) {
-  switch (measure) {
-  case VBM_MEASURE_VOLUME:
-    return part.volume;
-  case VBM_MEASURE_WIDTH:
-    return diagonal > 0 ? part.width / diagonal : 0;
-  case VBM_MEASURE_ANGLE:
-    return part.angle;
-  default:
-    return double(part.triangles);
-  }
-}
-
-/// An axis with the same cells left.
+/// An axis with the same cells left, and the same parts.
 Axis again(const Axis &axis) {
   Axis out;
   out.model = axis.model;
   out.cells = axis.cells;
   out.state = axis.state;
   out.removed = axis.removed;
+  out.ball_shares = axis.ball_shares;
+  out.parts = axis.parts;
   return out;
 }
 
-void find_locks(Axis &axis, Progress &progress) {
-  Remover remover(*axis.cells, axis.parts, axis.state);
-  for (std::size_t p = 0; p < axis.parts.list.size(); ++p) {
-    progress.tick_slow(p, axis.parts.list.size());
-    axis.parts.list[p].lock = remover.test(int32_t(p));
-  }
+/// Everything that follows from the state and its parts.
+void finish(Axis &axis, Progress &progress) {
+  progress.stage("topology graph", 1);
+  const TopologyGraph graph = topology_graph(*axis.cells, axis.parts);
+  const std::size_t pieces = find_locks(graph, axis.parts);
+  fill_views(axis, graph, pieces, progress);
+  axis.part_ball_shares = std::make_shared<PartShares>();
 }
 
-void finish(Axis &axis, Progress &progress) {
-  progress.stage("parts", 0.97);
-  axis.parts = find_axis_parts(*axis.cells, axis.state, progress);
-  find_locks(axis, progress);
-  progress.stage("topology graph", 1);
-  fill_views(axis, progress);
+/// Numbers of the parts with a significance up to the threshold, least significant first.
+std::vector<int32_t> up_to(const std::vector<double> &value, double threshold) {
+  std::vector<int32_t> order;
+  for (std::size_t p = 0; p < value.size(); ++p)
+    if (value[p] <= threshold) order.push_back(int32_t(p));
+  std::sort(order.begin(), order.end(), [&](int32_t a, int32_t b) {
+    return value[a] != value[b] ? value[a] < value[b] : a < b;
+  });
+  return order;
+}
+
+void list_stayed(Axis &axis, const std::vector<double> &value, double threshold) {
+  for (int32_t p : up_to(value, threshold)) {
+    const vbm_part &part = axis.parts.list[p];
+    if (part.level != 1 || part.lock == VBM_LOCK_NONE) continue;
+    axis.stayed.push_back(p);
+    axis.stayed_lock.push_back(part.lock);
+  }
+  axis.notes += stayed_text(axis.stayed, axis.stayed_lock);
 }
 
 } // namespace
@@ -82,72 +94,107 @@ Axis medial_axis(std::shared_ptr<const Model> model, const vbm_axis_options &opt
   progress.stage("medial axis", 0.9);
   axis.cells = std::make_shared<const AxisCells>(axis_cells(complex, left, *axis.model, progress));
   axis.state = whole_axis(*axis.cells);
+  axis.ball_shares = std::make_shared<BallShares>();
+  progress.stage("parts", 0.97);
+  axis.parts = find_axis_parts(*axis.cells, axis.state, progress);
   finish(axis, progress);
   return axis;
 }
 
 Axis prune_axis(const Axis &from, const vbm_prune_options &options, Progress &progress) {
   Axis axis = again(from);
-  const double diagonal = axis.model->report.diagonal;
-  uint64_t kept[5] = {};
-  for (int32_t i = 0; i < options.iterations; ++i) {
-    progress.stage("pruning", 0.9 * (i + 1) / options.iterations);
-    const AxisParts parts = find_axis_parts(*axis.cells, axis.state, progress);
-    std::vector<std::pair<double, int32_t>> order;
-    for (std::size_t p = 0; p < parts.list.size(); ++p) {
-      const double value = significance(parts.list[p], options.measure, diagonal);
-      if (parts.list[p].level == 1 && value <= options.threshold)
-        order.push_back({value, int32_t(p)});
-    }
-    std::sort(order.begin(), order.end());
-    Remover remover(*axis.cells, parts, axis.state);
-    bool any = false;
-    std::fill(std::begin(kept), std::end(kept), 0);
-    for (const auto &[value, p] : order) {
-      progress.tick_slow(0, 1);
-      Removal removal;
-      const vbm_lock lock = remover.remove(p, removal);
-      ++kept[lock];
-      if (lock != VBM_LOCK_NONE) continue;
-      any = true;
-      axis.removed.push_back(std::move(removal));
-    }
-    if (!any) break;
+  const std::vector<double> *shares = nullptr;
+  if (options.measure == VBM_MEASURE_BALLS) {
+    progress.stage("volume of the balls", 0.5);
+    shares = &axis.ball_shares->get(*axis.model, *axis.cells, progress);
   }
-  for (int lock = VBM_LOCK_INNER; lock <= VBM_LOCK_LAST; ++lock)
-    if (kept[lock])
-      axis.notes += std::to_string(kept[lock]) +
-                    (kept[lock] == 1 ? " part below the threshold stays: "
-                                     : " parts below the threshold stay: ") +
-                    reason(vbm_lock(lock)) + "\n";
+  for (int32_t i = 0; i < options.iterations; ++i) {
+    progress.stage("pruning", 0.5 + 0.4 * (i + 1) / options.iterations);
+    const std::vector<double> value = significance(axis, options.measure, shares);
+    Remover remover(*axis.cells, axis.parts, axis.state);
+    const std::size_t before = axis.removed.size();
+    for (int32_t p : up_to(value, options.threshold)) {
+      progress.tick_slow(0, 1);
+      if (axis.parts.list[p].level != 1) continue;
+      Removal removal;
+      if (remover.remove(p, removal)) axis.removed.push_back(std::move(removal));
+    }
+    if (axis.removed.size() == before) break;
+    axis.parts = find_axis_parts(*axis.cells, axis.state, progress);
+  }
   finish(axis, progress);
+  list_stayed(axis, significance(axis, options.measure, shares), options.threshold);
   return axis;
 }
 
 Axis remove_parts(const Axis &from, const int32_t *parts, std::size_t count, Progress &progress) {
+  const std::size_t there = from.parts.list.size();
+  std::vector<int32_t> left; // those to remove, each once, the outer ones first
+  std::vector<uint8_t> named(there, 0);
+  for (std::size_t i = 0; i < count; ++i) {
+    const int32_t p = parts[i];
+    if (p < 0 || std::size_t(p) >= there)
+      throw Error(VBM_ERROR_INPUT,
+                  "there is no part " + std::to_string(p) + ": the axis has " +
+                      std::to_string(there),
+                  "part", {p}, 1);
+    if (!named[p]) left.push_back(p);
+    named[p] = 1;
+  }
+  const auto depth = [&](int32_t p) { return uint32_t(from.parts.list[p].level) - 1; }; // 0 last
+  std::stable_sort(left.begin(), left.end(),
+                   [&](int32_t a, int32_t b) { return depth(a) < depth(b); });
+
   Axis axis = again(from);
   progress.stage("removing parts", 0.9);
   Remover remover(*axis.cells, from.parts, axis.state);
-  std::vector<uint8_t> done(from.parts.list.size(), 0);
-  for (std::size_t i = 0; i < count; ++i) {
-    progress.tick_slow(i, count);
-    const int32_t p = parts[i];
-    if (p < 0 || std::size_t(p) >= from.parts.list.size())
-      throw Error(VBM_ERROR_INPUT,
-                  "there is no part " + std::to_string(p) + ": the axis has " +
-                      std::to_string(from.parts.list.size()),
-                  "part", {p}, 1);
-    if (done[p]) continue;
-    done[p] = 1;
-    Removal removal;
-    const vbm_lock lock = remover.remove(p, removal);
-    if (lock != VBM_LOCK_NONE)
-      throw Error(VBM_ERROR_INPUT, "part " + std::to_string(p) + " cannot go: " + reason(lock),
-                  "part", {p}, 1);
-    axis.removed.push_back(std::move(removal));
+  std::size_t before = left.size() + 1;
+  while (left.size() < before) { // what holds one part may be another of them
+    before = left.size();
+    const auto stays = [&](int32_t p) {
+      progress.tick_slow(count - left.size(), count);
+      Removal removal;
+      if (!remover.remove(p, removal)) return true;
+      axis.removed.push_back(std::move(removal));
+      return false;
+    };
+    std::vector<int32_t> next;
+    std::copy_if(left.begin(), left.end(), std::back_inserter(next), stays);
+    left.swap(next);
   }
+  if (!left.empty()) {
+    const int32_t p = left[0];
+    const auto lock = vbm_lock(from.parts.list[p].lock);
+    throw Error(VBM_ERROR_INPUT,
+                "part " + std::to_string(p) + " cannot go: " +
+                    (lock ? lock_text(lock) : "the other parts named hold the shape's topology"),
+                "part", {left.begin(), left.end()}, left.size());
+  }
+  axis.parts = find_axis_parts(*axis.cells, axis.state, progress);
   finish(axis, progress);
   return axis;
+}
+
+Axis remove_triangles(const Axis &from, const int32_t *triangles, std::size_t count,
+                      Progress &progress) {
+  std::vector<int32_t> parts(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    const int32_t t = triangles[i];
+    if (t < 0 || std::size_t(t) >= from.triangle_part.size())
+      throw Error(VBM_ERROR_INPUT,
+                  "there is no triangle " + std::to_string(t) + ": the axis has " +
+                      std::to_string(from.triangle_part.size()),
+                  "triangle", {t}, 1);
+    parts[i] = from.triangle_part[t];
+  }
+  return remove_parts(from, parts.data(), count, progress);
+}
+
+const std::vector<double> &part_ball_shares(const Axis &axis, Progress &progress) {
+  progress.stage("volume of the balls", 1);
+  return axis.part_ball_shares->get(axis.parts, [&]() -> const std::vector<double> & {
+    return axis.ball_shares->get(*axis.model, *axis.cells, progress);
+  });
 }
 
 } // namespace vbm::impl

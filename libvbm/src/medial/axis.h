@@ -4,6 +4,7 @@
 
 #include "core/model.h"
 #include "medial/axis_parts.h"
+#include "medial/ball_shares.h"
 #include "medial/remove_part.h"
 
 #include <memory>
@@ -17,14 +18,17 @@ struct Axis {
   std::shared_ptr<const Model> model;
   std::shared_ptr<const AxisCells> cells;
   AxisState state;
-  std::vector<Removal> removed; // parts, in the order they went
-  AxisParts parts;              // of the state
+  std::vector<Removal> removed;            // parts, in the order they went
+  std::shared_ptr<BallShares> ball_shares; // with all axes of these cells
+  AxisParts parts;                         // of the state
 
   // What the views show: cells left, vertices renumbered, input units.
   std::vector<double> vertices, radii, nodes;
   std::vector<int32_t> triangles, triangle_samples, triangle_part, curves, curve_part;
   Incidence part_balls, part_nodes;
   std::vector<uint8_t> kept;
+  std::vector<int32_t> stayed, stayed_lock; // parts below the threshold that are locked, and why
+  std::shared_ptr<PartShares> part_ball_shares;
   std::string notes;
   vbm_axis_report report{};
 };
@@ -37,5 +41,13 @@ Axis prune_axis(const Axis &axis, const vbm_prune_options &options, Progress &pr
 
 /// Throws Error(VBM_ERROR_INPUT) for a part that is not there or cannot go.
 Axis remove_parts(const Axis &axis, const int32_t *parts, std::size_t count, Progress &progress);
+
+/// The parts with these triangles. Throws Error(VBM_ERROR_INPUT) as remove_parts().
+Axis remove_triangles(const Axis &axis, const int32_t *triangles, std::size_t count,
+                      Progress &progress);
+
+/// Per part its share of the exact volume of the union of the inner balls; found when first asked
+/// for, and kept with the axis.
+const std::vector<double> &part_ball_shares(const Axis &axis, Progress &progress);
 
 } // namespace vbm::impl

@@ -6,6 +6,7 @@
 #include "medial/axis_parts.h"
 
 #include "core/progress.h"
+#include "medial/cell_lists.h"
 
 #include <algorithm>
 #include <cmath>
@@ -19,187 +20,249 @@ public:
       : cells_(cells), state_(state), progress_(progress) {}
 
   AxisParts run() {
-    out_.of_triangle.assign(cells_.triangle.size(), -1);
-    out_.of_edge.assign(cells_.edge.size(), -1);
     count();
     grow_sheets();
     grow_curves();
-    settle_vertices();
+    settle();
+    find_contacts();
     find_levels();
     measure();
     return std::move(out_);
   }
 
 private:
+  static constexpr int32_t kNothing = AxisParts::kNothing, kContact = AxisParts::kContact;
+  static constexpr int32_t kSeam = 1 << 30; // added to `count`: never 2, then
+
+  /// Of the triangles left at an edge: how many, the sum of their numbers (so that of two, each
+  /// knows the other), and their part.
+  struct Use {
+    int32_t count = 0;
+    uint32_t sum = 0;
+    int32_t part = kNothing;
+  };
+
   void count() {
-    triangles_at_.assign(cells_.edge.size(), 0);
-    edges_at_.assign(cells_.ball.size(), 0);
-    for (std::size_t t = 0; t < cells_.triangle.size(); ++t)
-      if (state_.triangle[t])
-        for (int32_t e : cells_.triangle_edges[t]) ++triangles_at_[e];
-    for (std::size_t e = 0; e < cells_.edge.size(); ++e)
-      if (state_.edge[e])
-        for (int32_t v : cells_.edge[e]) ++edges_at_[v];
+    use_.resize(cells_.edge.size());
+    for (std::size_t e = 0; e < use_.size(); ++e)
+      if (cells_.seam[e]) use_[e].count = kSeam;
+    for (std::size_t t = 0; t < cells_.triangle.size(); ++t) {
+      progress_.tick(0, 1);
+      if (!state_.triangle[t]) continue;
+      for (int32_t e : cells_.triangle_edges[t]) {
+        ++use_[e].count;
+        use_[e].sum += uint32_t(t);
+      }
+    }
   }
 
+  int32_t triangles_at(int32_t e) const { return use_[e].count & ~kSeam; }
+  bool is_curve(int32_t e) const { return state_.edge[e] && triangles_at(e) == 0; }
+
   int32_t new_part() {
-    vbm_part part{};
-    out_.list.push_back(part);
+    out_.list.push_back(vbm_part{});
     return int32_t(out_.list.size()) - 1;
   }
 
+  static void join(int32_t &at, int32_t part) {
+    if (at == kNothing)
+      at = part;
+    else if (at != part)
+      at = kContact;
+  }
+
   void grow_sheets() {
-    std::vector<int32_t> todo;
+    out_.of_triangle.assign(cells_.triangle.size(), kNothing);
+    std::vector<int32_t> &list =
+        out_.triangles.index; // of a part: its triangles, as they are found
     for (int32_t first = 0; first < int32_t(cells_.triangle.size()); ++first) {
-      progress_.tick(0, 1);
       if (!state_.triangle[first] || out_.of_triangle[first] >= 0) continue;
       const int32_t part = new_part();
       out_.of_triangle[first] = part;
-      todo.push_back(first);
-      while (!todo.empty()) {
-        const int32_t t = todo.back();
-        todo.pop_back();
+      list.push_back(first);
+      for (std::size_t i = out_.triangles.offset.back(); i < list.size(); ++i) {
+        progress_.tick(0, 1);
+        const int32_t t = list[i];
         for (int32_t e : cells_.triangle_edges[t]) {
-          if (triangles_at_[e] == 1) out_.list[part].level = 1;
-          if (triangles_at_[e] != 2 || cells_.seam[e]) continue;
-          for (uint64_t k = cells_.edge_triangles.offset[e];
-               k < cells_.edge_triangles.offset[e + 1]; ++k) {
-            const int32_t next = cells_.edge_triangles.index[k];
-            if (!state_.triangle[next] || out_.of_triangle[next] >= 0) continue;
-            out_.of_triangle[next] = part;
-            todo.push_back(next);
-          }
+          Use &use = use_[e];
+          join(use.part, part);
+          if (use.count == 1) out_.list[part].level = 1;
+          if (use.count != 2) continue;
+          const auto next = int32_t(use.sum - uint32_t(t));
+          if (out_.of_triangle[next] >= 0) continue;
+          out_.of_triangle[next] = part;
+          list.push_back(next);
         }
       }
+      out_.triangles.offset.push_back(list.size());
     }
   }
 
-  bool is_curve(int32_t e) const { return state_.edge[e] && triangles_at_[e] == 0; }
-
   void grow_curves() {
-    std::vector<int32_t> todo;
-    for (int32_t first = 0; first < int32_t(cells_.edge.size()); ++first) {
-      progress_.tick(0, 1);
-      if (!is_curve(first) || out_.of_edge[first] >= 0) continue;
+    const auto edges = int32_t(cells_.edge.size());
+    out_.curve_edges.offset.assign(out_.list.size() + 1, 0);
+    int32_t first = 0;
+    while (first < edges && !is_curve(first)) ++first;
+    if (first == edges) return;
+    std::vector<int32_t> edges_at(cells_.ball.size(), 0);
+    for (std::size_t e = 0; e < cells_.edge.size(); ++e)
+      if (state_.edge[e])
+        for (int32_t v : cells_.edge[e]) ++edges_at[v];
+    std::vector<int32_t> &list = out_.curve_edges.index;
+    for (; first < edges; ++first) {
+      if (!is_curve(first) || use_[first].part >= 0) continue;
       const int32_t part = new_part();
-      out_.of_edge[first] = part;
-      todo.push_back(first);
-      while (!todo.empty()) {
-        const int32_t e = todo.back();
-        todo.pop_back();
-        for (int32_t v : cells_.edge[e]) {
-          if (edges_at_[v] == 1) out_.list[part].level = 1;
-          if (edges_at_[v] != 2) continue;
+      use_[first].part = part;
+      list.push_back(first);
+      for (std::size_t i = out_.curve_edges.offset.back(); i < list.size(); ++i) {
+        progress_.tick(0, 1);
+        for (int32_t v : cells_.edge[list[i]]) {
+          if (edges_at[v] == 1) out_.list[part].level = 1;
+          if (edges_at[v] != 2) continue;
           for (uint64_t k = cells_.vertex_edges.offset[v]; k < cells_.vertex_edges.offset[v + 1];
                ++k) {
             const int32_t next = cells_.vertex_edges.index[k];
-            if (!is_curve(next) || out_.of_edge[next] >= 0) continue;
-            out_.of_edge[next] = part;
-            todo.push_back(next);
+            if (!is_curve(next) || use_[next].part >= 0) continue;
+            use_[next].part = part;
+            list.push_back(next);
           }
         }
       }
+      out_.curve_edges.offset.push_back(list.size());
+      out_.triangles.offset.push_back(out_.triangles.index.size());
     }
   }
 
-  /// call(vertex, part) for every vertex of every cell of a part.
-  template <class Call> void visit_vertices(const Call &call) const {
-    for (std::size_t t = 0; t < cells_.triangle.size(); ++t)
-      if (state_.triangle[t])
-        for (int32_t v : cells_.triangle[t]) call(v, out_.of_triangle[t]);
-    for (std::size_t e = 0; e < cells_.edge.size(); ++e)
-      if (out_.of_edge[e] >= 0)
-        for (int32_t v : cells_.edge[e]) call(v, out_.of_edge[e]);
-  }
-
-  void settle_vertices() {
-    out_.of_vertex.assign(cells_.ball.size(), AxisParts::kNothing);
-    visit_vertices([&](int32_t v, int32_t part) {
-      int32_t &at = out_.of_vertex[v];
-      if (at == AxisParts::kNothing)
-        at = part;
-      else if (at != part)
-        at = AxisParts::kContact;
-    });
-  }
-
-  /// Neighbours share an edge, or a vertex where one of them is a curve.
-  void find_levels() {
-    std::vector<std::pair<int32_t, int32_t>> contact; // contact cell, part
-    const auto edges = int32_t(cells_.edge.size());
-    std::vector<uint8_t> curve_end(cells_.ball.size(), 0);
-    for (std::size_t e = 0; e < cells_.edge.size(); ++e)
-      if (out_.of_edge[e] >= 0)
-        for (int32_t v : cells_.edge[e]) curve_end[v] = 1;
-    for (std::size_t t = 0; t < cells_.triangle.size(); ++t) {
-      if (!state_.triangle[t]) continue;
-      for (int32_t e : cells_.triangle_edges[t])
-        if (triangles_at_[e] > 2 || cells_.seam[e]) contact.push_back({e, out_.of_triangle[t]});
-      for (int32_t v : cells_.triangle[t])
-        if (curve_end[v]) contact.push_back({edges + v, out_.of_triangle[t]});
+  /// What each edge and vertex belongs to, and how many each part has to itself.
+  void settle() {
+    out_.euler.assign(out_.list.size(), 0);
+    out_.of_edge.resize(cells_.edge.size());
+    out_.of_vertex.assign(cells_.ball.size(), kNothing);
+    for (std::size_t e = 0; e < cells_.edge.size(); ++e) {
+      progress_.tick(0, 1);
+      const int32_t part = out_.of_edge[e] = use_[e].part;
+      if (part == kNothing) continue;
+      if (part >= 0) --out_.euler[part];
+      for (int32_t v : cells_.edge[e]) join(out_.of_vertex[v], part);
     }
-    for (std::size_t e = 0; e < cells_.edge.size(); ++e)
-      if (out_.of_edge[e] >= 0)
-        for (int32_t v : cells_.edge[e])
-          if (out_.of_vertex[v] == AxisParts::kContact)
-            contact.push_back({edges + v, out_.of_edge[e]});
-    std::sort(contact.begin(), contact.end());
-    std::vector<std::vector<int32_t>> near(out_.list.size());
-    for (std::size_t i = 0; i < contact.size();) {
-      std::size_t end = i;
-      while (end < contact.size() && contact[end].first == contact[i].first) ++end;
-      for (std::size_t k = i; k + 1 < end; ++k)
-        if (contact[k].second != contact[k + 1].second) { // a chain joins them all ...
-          near[contact[k].second].push_back(contact[k + 1].second);
-          near[contact[k + 1].second].push_back(contact[k].second);
-        }
-      if (end - i > 2 && contact[i].second != contact[end - 1].second) { // ... a ring for three
-        near[contact[i].second].push_back(contact[end - 1].second);
-        near[contact[end - 1].second].push_back(contact[i].second);
+    for (int32_t part : out_.of_vertex)
+      if (part >= 0) ++out_.euler[part];
+    for (std::size_t p = 0; p < out_.list.size(); ++p) {
+      out_.list[p].triangles = out_.triangles.offset[p + 1] - out_.triangles.offset[p];
+      out_.list[p].curve_edges = out_.curve_edges.offset[p + 1] - out_.curve_edges.offset[p];
+      out_.euler[p] += int32_t(out_.list[p].triangles);
+    }
+  }
+
+  /// Where parts are neighbours: edges, and vertices where one of them is a curve.
+  void find_contacts() {
+    std::vector<int32_t> here;
+    const auto triangles_of = [&](int32_t e) {
+      for (uint64_t k = cells_.edge_triangles.offset[e]; k < cells_.edge_triangles.offset[e + 1];
+           ++k)
+        if (state_.triangle[cells_.edge_triangles.index[k]])
+          here.push_back(out_.of_triangle[cells_.edge_triangles.index[k]]);
+    };
+    const auto enter = [&] {
+      std::sort(here.begin(), here.end());
+      here.erase(std::unique(here.begin(), here.end()), here.end());
+      contact_.index.insert(contact_.index.end(), here.begin(), here.end());
+      contact_.offset.push_back(contact_.index.size());
+      here.clear();
+    };
+    for (int32_t e = 0; e < int32_t(cells_.edge.size()); ++e) {
+      if (out_.of_edge[e] != kContact) continue;
+      triangles_of(e);
+      enter();
+    }
+    std::vector<int32_t> ends;
+    for (int32_t e : out_.curve_edges.index)
+      for (int32_t v : cells_.edge[e])
+        if (out_.of_vertex[v] == kContact) ends.push_back(v);
+    std::sort(ends.begin(), ends.end());
+    ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
+    for (int32_t v : ends) {
+      for (uint64_t k = cells_.vertex_edges.offset[v]; k < cells_.vertex_edges.offset[v + 1]; ++k) {
+        const int32_t e = cells_.vertex_edges.index[k];
+        if (out_.of_edge[e] >= 0)
+          here.push_back(out_.of_edge[e]);
+        else if (out_.of_edge[e] == kContact)
+          triangles_of(e);
       }
-      i = end;
+      enter();
     }
+  }
+
+  void find_levels() {
+    const Incidence contacts_of = lists_of(out_.list.size(), contact_);
+    std::vector<uint8_t> passed(contact_.offset.size() - 1, 0);
     std::vector<int32_t> todo;
     for (std::size_t p = 0; p < out_.list.size(); ++p)
       if (out_.list[p].level == 1) todo.push_back(int32_t(p));
-    for (std::size_t i = 0; i < todo.size(); ++i)
-      for (int32_t q : near[todo[i]])
-        if (out_.list[q].level == 0) {
-          out_.list[q].level = out_.list[todo[i]].level + 1;
-          todo.push_back(q);
+    for (std::size_t i = 0; i < todo.size(); ++i) {
+      const int32_t p = todo[i];
+      for (uint64_t k = contacts_of.offset[p]; k < contacts_of.offset[p + 1]; ++k) {
+        const int32_t contact = contacts_of.index[k];
+        if (passed[contact]) continue;
+        passed[contact] = 1;
+        for (uint64_t j = contact_.offset[contact]; j < contact_.offset[contact + 1]; ++j) {
+          vbm_part &near = out_.list[contact_.index[j]];
+          if (near.level) continue;
+          near.level = out_.list[p].level + 1;
+          todo.push_back(contact_.index[j]);
         }
+      }
+    }
   }
 
   void measure() {
+    const std::size_t count = out_.list.size();
+    std::vector<Vec3> sum(count), plain(count); // of middles, by size and as they are
+    std::vector<double> sine(count, 0);
     for (std::size_t t = 0; t < cells_.triangle.size(); ++t) {
       progress_.tick(0, 1);
-      if (!state_.triangle[t]) continue;
-      vbm_part &part = out_.list[out_.of_triangle[t]];
+      const int32_t p = out_.of_triangle[t];
+      if (p < 0) continue;
       const auto &v = cells_.triangle[t];
-      const Vec3 &a = cells_.ball[v[0]].center;
-      ++part.triangles;
-      part.area += length(cross(cells_.ball[v[1]].center - a, cells_.ball[v[2]].center - a)) / 2 *
-                   (cells_.unit * cells_.unit);
-      part.width = std::max(part.width, cells_.width[t] * cells_.unit);
-      double radius = 0;
-      for (int32_t corner : v) radius += cells_.ball[corner].radius / 3;
-      const double sine = std::min(1.0, cells_.width[t] / (2 * radius));
-      part.angle = std::max(part.angle, std::asin(sine) * (360 / std::acos(-1.0)));
+      const Ball &a = cells_.ball[v[0]], &b = cells_.ball[v[1]], &c = cells_.ball[v[2]];
+      const double area = length(cross(b.center - a.center, c.center - a.center)) / 2;
+      const Vec3 middle = a.center + b.center + c.center;
+      out_.list[p].area += area;
+      sum[p] += middle * (area / 3);
+      plain[p] += middle * (1.0 / 3);
+      out_.list[p].width = std::max(out_.list[p].width, cells_.width[t]);
+      sine[p] = std::max(sine[p], cells_.width[t] / (a.radius + b.radius + c.radius));
     }
-    for (std::size_t e = 0; e < cells_.edge.size(); ++e) {
-      if (out_.of_edge[e] < 0) continue;
-      const Ball &a = cells_.ball[cells_.edge[e][0]], &b = cells_.ball[cells_.edge[e][1]];
-      ++out_.list[out_.of_edge[e]].curve_edges;
-      out_.list[out_.of_edge[e]].length += distance(a.center, b.center) * cells_.unit;
-    }
+    for (std::size_t p = 0; p < count; ++p)
+      for (uint64_t k = out_.curve_edges.offset[p]; k < out_.curve_edges.offset[p + 1]; ++k) {
+        const auto &e = cells_.edge[out_.curve_edges.index[k]];
+        const Vec3 &a = cells_.ball[e[0]].center, &b = cells_.ball[e[1]].center;
+        const double size = distance(a, b);
+        out_.list[p].length += size;
+        sum[p] += (a + b) * (0.5 * size);
+        plain[p] += (a + b) * 0.5;
+      }
     for (std::size_t v = 0; v < cells_.ball.size(); ++v)
       if (out_.of_vertex[v] >= 0) out_.list[out_.of_vertex[v]].volume += cells_.volume[v];
+    const double unit = cells_.unit, degrees = 360 / std::acos(-1.0);
+    out_.middle.resize(count);
+    for (std::size_t p = 0; p < count; ++p) {
+      vbm_part &part = out_.list[p];
+      const double size = part.area + part.length; // one of them is 0
+      out_.middle[p] = size > 0 ? sum[p] * (1 / size)
+                                : plain[p] * (1.0 / double(part.triangles + part.curve_edges));
+      part.area *= unit * unit;
+      part.length *= unit;
+      part.width *= unit;
+      part.angle = std::asin(std::min(1.0, 1.5 * sine[p])) * degrees;
+    }
   }
 
   const AxisCells &cells_;
   const AxisState &state_;
   Progress &progress_;
-  std::vector<int32_t> triangles_at_, edges_at_; // per edge, per vertex: those left
+  std::vector<Use> use_; // per edge
+  Incidence contact_;    // per place of contact: the parts there
   AxisParts out_;
 };
 

@@ -22,10 +22,18 @@ AxisState whole_axis(const AxisCells &cells);
 /// A sheet's triangles hang together across edges that exactly two triangles left share; a curve's
 /// edges have no triangle and hang together at vertices that have no other edge.
 struct AxisParts {
-  std::vector<int32_t> of_triangle, of_edge; // -1: not left; of_edge is -1 for edges of triangles
-  std::vector<int32_t> of_vertex;            // the only part at a vertex, or kContact, or kNothing
-  std::vector<vbm_part> list;                // `locked` is not decided yet
   static constexpr int32_t kNothing = -1, kContact = -2;
+  std::vector<int32_t> of_triangle; // kNothing: not left
+  std::vector<int32_t> of_edge;     // the only part at an edge, or kContact, or kNothing
+  std::vector<int32_t> of_vertex;   // the same
+  std::vector<vbm_part> list;       // without locks and positions
+  Incidence triangles, curve_edges; // per part
+  std::vector<int32_t> euler;       // per part: its vertices - edges + triangles that no other has
+  std::vector<Vec3> middle;         // per part: of its triangles by area, of its edges by length
+
+  bool is_curve(int32_t edge) const {
+    return of_edge[edge] >= 0 && list[of_edge[edge]].triangles == 0;
+  }
 };
 
 AxisParts find_axis_parts(const AxisCells &cells, const AxisState &state, Progress &progress);

@@ -14,36 +14,29 @@ struct Removal {
   std::vector<int32_t> triangles, edges, vertices;
 };
 
-/// Removes parts from a state, one after another. Numbers of triangles and edges at each cell are
-/// kept up to date, so that a part costs as much as its cells.
+/// Removes parts from a state, one after another; each costs as much as its cells.
 class Remover {
 public:
-  /// `parts` are the state's when this is made; both must outlive it.
+  /// `parts` are the state's when this is made; all must outlive it.
   Remover(const AxisCells &cells, const AxisParts &parts, AxisState &state);
 
-  /// Remove a part by elementary collapses; if there is no way to, nothing is changed and the
-  /// reason is returned.
-  vbm_lock remove(int32_t part, Removal &removal);
-  /// Whether remove() would; nothing is changed.
-  vbm_lock test(int32_t part);
+  /// Remove a part if its cells collapse onto the rest (see locks.cpp); if not, nothing is changed.
+  /// Returns whether it went.
+  bool remove(int32_t part, Removal &removal);
 
 private:
-  vbm_lock collapse(int32_t part);
-  void collapse_triangles(int32_t part);
-  void collapse_edges();
-  void drop_triangle(int32_t t);
-  void drop_edge(int32_t e);
-  void undo();
-  bool has_cycle() const;
-  bool ends_meet() const;
+  void visit_edge(int32_t e, int32_t part);
+  void visit_vertex(int32_t v);
 
   const AxisCells &cells_;
   const AxisParts &parts_;
   AxisState &state_;
-  Incidence part_triangles_, part_edges_;
-  std::vector<int32_t> triangles_at_, edges_at_; // per edge, per vertex: those left
-  std::vector<int32_t> own_; // edges of the part looked at that have no triangle any more
-  Removal removal_;
+  int32_t attempt_ = 0;
+  std::vector<int32_t> own_edge_,
+      seen_vertex_;      // the last attempt it was the part's own, or looked at
+  Removal own_;          // cells that only the part looked at has
+  bool border_ = false;  // it has a free edge or end
+  bool touches_ = false; // it has cells that others have too
 };
 
 } // namespace vbm::impl

@@ -9,47 +9,42 @@
 
 namespace vbm::impl {
 
-TopologyGraph topology_graph(const AxisCells &cells, const AxisState &state,
-                             const AxisParts &parts) {
-  const auto is_contact = [&](int32_t v) { return parts.of_vertex[v] == AxisParts::kContact; };
-  std::vector<int32_t> triangles_at(cells.edge.size(), 0);
-  for (std::size_t t = 0; t < cells.triangle.size(); ++t)
-    if (state.triangle[t])
-      for (int32_t e : cells.triangle_edges[t]) ++triangles_at[e];
-  DisjointSets sets(cells.ball.size());
-  for (std::size_t e = 0; e < cells.edge.size(); ++e)
-    if (state.edge[e] && (triangles_at[e] > 2 || cells.seam[e]) && is_contact(cells.edge[e][0]) &&
-        is_contact(cells.edge[e][1]))
-      sets.unite(cells.edge[e][0], cells.edge[e][1]);
+TopologyGraph topology_graph(const AxisCells &cells, const AxisParts &parts) {
+  constexpr int32_t kContact = AxisParts::kContact;
+  std::vector<int32_t> contact, number(cells.ball.size(), -1); // vertices of contact curves
+  for (int32_t v = 0; v < int32_t(cells.ball.size()); ++v)
+    if (parts.of_vertex[v] == kContact) {
+      number[v] = int32_t(contact.size());
+      contact.push_back(v);
+    }
+  DisjointSets sets(contact.size());
+  std::vector<std::pair<int32_t, int32_t>> touch; // part, contact vertex
+  for (std::size_t e = 0; e < cells.edge.size(); ++e) {
+    if (parts.of_edge[e] == AxisParts::kNothing) continue;
+    const int32_t a = number[cells.edge[e][0]], b = number[cells.edge[e][1]];
+    if (parts.of_edge[e] >= 0) {
+      if (a >= 0) touch.push_back({parts.of_edge[e], a});
+      if (b >= 0) touch.push_back({parts.of_edge[e], b});
+      continue;
+    }
+    sets.unite(a, b);
+    for (uint64_t k = cells.edge_triangles.offset[e]; k < cells.edge_triangles.offset[e + 1]; ++k)
+      if (const int32_t p = parts.of_triangle[cells.edge_triangles.index[k]]; p >= 0)
+        touch.push_back({p, a});
+  }
 
   TopologyGraph graph;
-  std::vector<int32_t> number(cells.ball.size(), -1);
-  std::vector<int32_t> members;
-  for (int32_t v = 0; v < int32_t(cells.ball.size()); ++v) {
-    if (!is_contact(v)) continue;
-    const int32_t root = sets.find(v);
-    if (number[root] < 0) {
-      number[root] = int32_t(graph.node.size());
-      graph.node.push_back({});
-      members.push_back(0);
-    }
-    number[v] = number[root];
-    graph.node[number[v]] += cells.ball[v].center;
-    ++members[number[v]];
+  std::size_t count = 0;
+  const std::vector<int32_t> node = sets.numbers(count);
+  graph.node.resize(count);
+  std::vector<int32_t> members(count, 0);
+  for (std::size_t i = 0; i < contact.size(); ++i) {
+    graph.node[node[i]] += cells.ball[contact[i]].center;
+    ++members[node[i]];
   }
-  for (std::size_t n = 0; n < graph.node.size(); ++n)
-    graph.node[n] = graph.node[n] * (1.0 / members[n]);
+  for (std::size_t n = 0; n < count; ++n) graph.node[n] = graph.node[n] * (1.0 / members[n]);
 
-  std::vector<std::pair<int32_t, int32_t>> touch; // part, node
-  const auto visit = [&](int32_t v, int32_t part) {
-    if (number[v] >= 0 && is_contact(v)) touch.push_back({part, number[v]});
-  };
-  for (std::size_t t = 0; t < cells.triangle.size(); ++t)
-    if (state.triangle[t])
-      for (int32_t v : cells.triangle[t]) visit(v, parts.of_triangle[t]);
-  for (std::size_t e = 0; e < cells.edge.size(); ++e)
-    if (parts.of_edge[e] >= 0)
-      for (int32_t v : cells.edge[e]) visit(v, parts.of_edge[e]);
+  for (auto &[part, at] : touch) at = node[at];
   std::sort(touch.begin(), touch.end());
   touch.erase(std::unique(touch.begin(), touch.end()), touch.end());
   std::size_t next = 0;

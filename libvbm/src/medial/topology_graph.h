@@ -13,7 +13,6 @@ struct TopologyGraph {
   Incidence part_nodes;   // per part, ascending
 };
 
-TopologyGraph topology_graph(const AxisCells &cells, const AxisState &state,
-                             const AxisParts &parts);
+TopologyGraph topology_graph(const AxisCells &cells, const AxisParts &parts);
 
 } // namespace vbm::impl
