@@ -54,7 +54,7 @@ class VBM_OT_rebuild_surface(JobOperator, options.BuildOptions, bpy.types.Operat
         title = (f"{shown.name}: {len(shown.data.vertices):,} vertices, "
                  f"{len(shown.data.polygons):,} faces, genus {report.genus}, {closed}")
         lines = [f"Area {report.area:.4g}, volume {report.volume:.4g}"]
-        return session.Outcome(title, lines, list(built.model.notes))
+        return session.Outcome(title, lines, [*built.model.notes, *surface.notes])
 
     def _make(self, made, origin, data, balls, surface):
         mesh = bpy.data.meshes.new(f"{origin.name} Surface")

@@ -87,6 +87,10 @@ void bind_surface(py::module_ &module) {
   type.def_property_readonly(
       "report", [](const Surface &surface) { return to_python(surface.report()); },
       "Counts and measures: a SurfaceReport.");
+  type.def_property_readonly(
+      "notes", [](const Surface &surface) { return lines_of(surface.notes()); },
+      "What a user should know about this surface: a list of sentences, empty if there is nothing "
+      "to\nsay.");
   type.def("__repr__", [](const Surface &surface) {
     const vbm_surface_report report = surface.report();
     return "<vbm.Surface: " + counted(report.vertices, "vertex", "vertices") + ", " +

@@ -65,9 +65,7 @@ void describe(const vbm::Surface &surface, std::vector<std::string> &log) {
                 count(report.components, "component", "components") + ", genus " +
                 std::to_string(report.genus) + ", area " + number(report.area) + ", volume " +
                 number(report.volume) + ".");
-  if (report.split_vertices)
-    log.push_back(count(report.split_vertices, "vertex stands", "vertices stand") +
-                  " where another does, so that every edge has two faces.");
+  add_notes(surface.notes(), log);
 }
 
 Outcome run(const Layer &layer, const Values &values, Progress &progress) {

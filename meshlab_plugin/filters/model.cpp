@@ -45,6 +45,12 @@ vbm::Model build_model(vbm::Context &context, const Layer &layer, const Values &
   return vbm::build_points(context, points, normals, options);
 }
 
+void add_notes(const char *notes, std::vector<std::string> &log) {
+  std::istringstream lines(notes);
+  for (std::string line; std::getline(lines, line);)
+    if (!line.empty()) log.push_back(line);
+}
+
 void describe(const vbm::Model &model, const Layer &layer, std::vector<std::string> &log) {
   const vbm_model_report report = model.report();
   std::string input = "Took " + count(report.input_points, "vertex", "vertices");
@@ -53,10 +59,10 @@ void describe(const vbm::Model &model, const Layer &layer, std::vector<std::stri
   if (report.added) input += ", added " + count(report.added, "sample", "samples") + " on faces";
   log.push_back(input + ": " + count(report.samples, "sample", "samples") + ".");
   log.push_back(count(report.inner_balls, "inner ball", "inner balls") + ", " +
-                count(report.outer_balls, "outer ball", "outer balls") + ".");
-  std::istringstream notes(model.notes());
-  for (std::string line; std::getline(notes, line);)
-    if (!line.empty()) log.push_back(line);
+                count(report.outer_balls, "outer ball", "outer balls") +
+                "; inside told from outside by " +
+                (report.rule == VBM_LABELS_NORMALS ? "normals." : "propagation from the outside."));
+  add_notes(model.notes(), log);
   if (layer.transformed)
     log.push_back("The layer has a transformation matrix: lengths are those before it is applied.");
 }

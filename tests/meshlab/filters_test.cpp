@@ -45,6 +45,7 @@ TEST(BallModel, IsALayerOfBallsOnTheMedialAxis) {
   ASSERT_TRUE(result.ok) << result.error;
   expect_progress(result);
   EXPECT_TRUE(result.logged("inner balls"));
+  EXPECT_TRUE(result.logged("inside told from outside by"));
   ASSERT_EQ(host::layers(document), 2);
   MeshModel *balls = document.mm();
   ASSERT_NE(balls, source);

@@ -57,8 +57,38 @@ def test_from_meshes(name, kind):
 def test_thin_sampling_is_reported(name):
     vertices, _ = models.read(models.shared(name))
     model = vbm.build(vertices)
-    assert len(model.undersampled) == model.report.undersampled > 0
-    assert any("thin" in note or "undersampled" in note for note in model.notes)
+    assert len(model.undersampled) == model.report.undersampled > 0.1 * len(vertices)
+    assert any("too thin to trust" in note for note in model.notes)
+
+
+@pytest.mark.parametrize("name", ["3holes.obj", "double-torus.obj"])
+def test_dense_sampling_is_trusted(name):
+    model = vbm.build(models.read(models.shared(name))[0])
+    assert model.report.undersampled == 0 and model.notes == []
+
+
+# Samplings too thin for polar balls, and with scraps and walls of no thickness.
+THIN = ["femur.off", "skull_low_resolution.obj", "heart.obj", "josie.obj", "mushroom.obj"]
+
+
+@pytest.mark.parametrize("balls", ["polar", "voronoi"])
+@pytest.mark.parametrize("with_faces", [False, True])
+@pytest.mark.parametrize("name", THIN)
+def test_crust_has_the_topology_of_the_inside_tetrahedra(name, with_faces, balls):
+    vertices, faces = models.read(models.shared(name))
+    model = vbm.build(vertices, faces=faces if with_faces else None, balls=balls)
+    surface, crust = model.surface(), model.power_crust()
+    models.assert_closed_manifold(len(crust.vertices), crust.triangles)
+    assert betti(crust.triangles) == betti(surface.triangles)
+    assert (crust.polygon_ball >= 0).all()
+    if crust.report.split_vertices:
+        assert any("stand" in note for note in crust.notes)
+
+
+def test_crust_that_polar_balls_cannot_make_says_so():
+    vertices, _ = models.read(models.shared("femur.off"))
+    crust = vbm.build(vertices).power_crust()
+    assert any("all Voronoi balls" in note for note in crust.notes)
 
 
 def test_betti_numbers_of_a_known_surface():

@@ -7,5 +7,5 @@
 #include <vbm/vbm.h>
 
 /// OpenMesh takes every triangle and every polygon as a face, finds no boundary, and no vertex that
-/// is not manifold.
+/// is not manifold, and counts the Euler characteristic that the report says.
 void open_mesh_check(const vbm_surface *surface, Problems &problems);

@@ -274,7 +274,8 @@ VBM_API vbm_status vbm_model_surface(vbm_context *context, const vbm_model *mode
 /* The power crust (8.2): the faces of the power diagram between inner and outer polar balls, oriented
  * outward, closed and manifold. A vertex at which all balls share a sample is that sample.
  * Made of all balls, it has the components and handles of the inside tetrahedra: where polar balls alone do
- * not give them, for lack of samples, Voronoi balls are added on both sides.
+ * not give them, for lack of samples, Voronoi balls are added on both sides; with all of them the crust is
+ * the interpolating surface, which a note says.
  *   keep        NULL for all inner balls, or one byte per inner ball: the balls with 0 leave the
  *               diagram, and what they filled becomes outside
  *   keep_count  must be vbm_model_inner_count() if keep is given

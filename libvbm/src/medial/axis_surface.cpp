@@ -61,7 +61,7 @@ Surface axis_surface(const Axis &axis, const vbm_axis_surface_options &options,
                                   outer.empty() ? nullptr : outer.data(), progress);
     if (all || (surface.report.euler == euler && surface.report.components == components)) {
       if (const std::size_t taken = axis.removed.size() - count)
-        surface.notes = std::to_string(taken) + " of " + std::to_string(axis.removed.size()) +
+        surface.notes += std::to_string(taken) + " of " + std::to_string(axis.removed.size()) +
                         " removed parts came back for the surface, whose topology would have "
                         "changed without them\n";
       return surface;

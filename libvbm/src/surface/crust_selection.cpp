@@ -48,9 +48,9 @@ Selection select_balls(const Model &model, const uint8_t *keep, const uint8_t *k
   return s;
 }
 
-Selection select_with_support(const Model &model, Support where, Progress &progress) {
+Selection select_with_support(const Model &model, Progress &progress) {
   const Cells &cells = model.cells;
-  std::vector<uint8_t> thin(cells.samples, where == Support::everywhere);
+  std::vector<uint8_t> thin(cells.samples, 0);
   for (int32_t s : model.undersampled) thin[s] = 1;
   std::vector<int32_t> wanted[2]; // cells outside, inside
   for (std::size_t c = 0; c < cells.size(); ++c) {

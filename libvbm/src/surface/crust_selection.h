@@ -31,12 +31,7 @@ struct Selection {
 /// Error(VBM_ERROR_NO_INTERIOR) if no inner one is kept.
 Selection select_balls(const Model &model, const uint8_t *keep, const uint8_t *keep_outer);
 
-/// Where to add supports to all balls of a model.
-enum class Support {
-  undersampled, // round the samples where the sampling is too thin
-  everywhere    // all: the crust is then the boundary of the inside tetrahedra
-};
-
-Selection select_with_support(const Model &model, Support where, Progress &progress);
+/// All balls of the model, and all Voronoi balls round the samples where the sampling is too thin.
+Selection select_with_support(const Model &model, Progress &progress);
 
 } // namespace vbm::impl

@@ -26,8 +26,8 @@ public:
       surface_.vertices.push_back(model_.samples.input_position[s]);
     split_shared_edges();
     fill_tables();
-    measure(surface_, progress_);
     surface_.report.split_vertices = boundary_.split;
+    measure(surface_, progress_);
     return std::move(surface_);
   }
 
@@ -65,6 +65,7 @@ private:
     std::vector<int32_t> middle(3 * boundary_.mate.size(), -1);
     for (const Pair &p : shared) {
       const int32_t m = int32_t(surface_.vertices.size());
+      middle_of_.push_back({p.low, p.high});
       surface_.vertices.push_back(surface_.vertices[p.low] * 0.5 + surface_.vertices[p.high] * 0.5);
       surface_.vertex_sample.push_back(-1);
       const int32_t g = boundary_.mate[p.f][p.e];
@@ -114,6 +115,9 @@ private:
       if (s >= 0 && model_.inner_pole[s] >= 0)
         surface_.vertex_radius[v] = model_.radii[model_.inner_pole[s]];
     }
+    for (std::size_t i = 0; i < middle_of_.size(); ++i)
+      surface_.vertex_radius[n - middle_of_.size() + i] = std::min(
+          surface_.vertex_radius[middle_of_[i][0]], surface_.vertex_radius[middle_of_[i][1]]);
     for (std::size_t t = 0; t < m; ++t) {
       surface_.triangle_polygon[t] = int32_t(t);
       surface_.polygons.offset[t + 1] = 3 * (t + 1);
@@ -125,6 +129,7 @@ private:
   const Model &model_;
   Progress &progress_;
   Boundary boundary_; // triangles cut later are appended to its `cell` alone
+  std::vector<std::array<int32_t, 2>> middle_of_; // ends of the edges that the last vertices halve
   Surface surface_;
 };
 

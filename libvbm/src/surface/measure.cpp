@@ -126,6 +126,12 @@ void measure(Surface &surface, Progress &progress) {
   report.genus = int64_t(components) - report.euler / 2;
   report.area = std::ldexp(area, 2 * frame.exponent);
   report.volume = std::ldexp(volume, 3 * frame.exponent);
+  if (report.split_vertices)
+    surface.notes +=
+        std::to_string(report.split_vertices) +
+        (report.split_vertices == 1 ? " vertex stands" : " vertices stand") +
+        " where another one stands, as the surface touches itself there: merged they would "
+        "not be manifold\n";
 }
 
 } // namespace vbm::impl

@@ -7,7 +7,8 @@
 
 namespace vbm::impl {
 
-/// Fill surface.report from its vertices, triangles and polygons (split_vertices is left as it is).
+/// Fill surface.report from its vertices, triangles and polygons (split_vertices is left as it is, and
+/// noted).
 /// Throws Error(VBM_ERROR_INTERNAL) unless every edge of the triangles lies in exactly two of them,
 /// run through in opposite directions, and every vertex has one closed fan of triangles.
 void measure(Surface &surface, Progress &progress);

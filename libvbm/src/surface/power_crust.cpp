@@ -3,7 +3,8 @@
 // the faces between inner and outer cells in the power diagram of the polar balls. It differs in
 // that vertices are merged, where the surface stays what it is, until few are left that are no
 // samples; and in that a crust of all balls whose topology is not that of the inside tetrahedra is
-// made again with more balls.
+// made again with more balls, in the end with all Voronoi balls: their power cells are the Delaunay
+// tetrahedra (see crust_selection.cpp), so that crust is the interpolating surface.
 #include "surface/power_crust.h"
 
 #include "core/error.h"
@@ -12,25 +13,20 @@
 #include "surface/crust_merge.h"
 #include "surface/crust_selection.h"
 #include "surface/crust_vertices.h"
+#include "surface/interpolating.h"
 #include "surface/measure.h"
 #include "surface/power_diagram.h"
 #include "surface/triangulate.h"
 
 #include <algorithm>
+#include <string>
 
 namespace vbm::impl {
 namespace {
 
-/// Attempts at a crust with the topology of the inside tetrahedra: the model's balls alone, with
-/// Voronoi balls where the sampling is thin, with all Voronoi balls.
-constexpr int kAttempts = 3;
-
-Selection select(const Model &model, const uint8_t *keep, const uint8_t *keep_outer, int attempt,
-                 Progress &progress) {
-  if (attempt == 0) return select_balls(model, keep, keep_outer);
-  return select_with_support(model, attempt == 1 ? Support::undersampled : Support::everywhere,
-                             progress);
-}
+/// Attempts at a crust with the topology of the inside tetrahedra: the model's balls alone, and
+/// with Voronoi balls where the sampling is thin.
+constexpr int kAttempts = 2;
 
 /// Whether the crust has the components and handles of the solid. Sampled thinly, even balls with
 /// the right labels can meet across a gap or miss each other across a neck.
@@ -118,6 +114,20 @@ void fill_vertices(Surface &surface, const CrustMesh &mesh, const Model &model,
   }
 }
 
+Surface crust_of_voronoi_balls(const Model &model, Progress &progress) {
+  progress.stage("interpolating surface", 1);
+  Surface surface = interpolating_surface(model, progress);
+  for (std::size_t p = 0; p < surface.polygon_ball.size(); ++p)
+    for (uint64_t i = surface.polygons.offset[p]; i < surface.polygons.offset[p + 1]; ++i)
+      if (const int32_t s = surface.vertex_sample[surface.polygons.index[i]];
+          s >= 0 && surface.polygon_ball[p] < 0)
+        surface.polygon_ball[p] = model.inner_pole[s];
+  surface.notes += "the sampling is too thin for a power crust of polar balls with the solid's "
+                   "components and handles; this is the crust of all Voronoi balls, which is the "
+                   "interpolating surface\n";
+  return surface;
+}
+
 } // namespace
 
 Surface power_crust(const Model &model, const uint8_t *keep, const uint8_t *keep_outer,
@@ -125,18 +135,21 @@ Surface power_crust(const Model &model, const uint8_t *keep, const uint8_t *keep
   if (keep && std::count(keep, keep + model.inner, 0) == 0) keep = nullptr;
   Selection selected;
   CrustMesh mesh;
+  uint64_t clamped = 0;
   progress.stage("power diagram", 0.02);
   const Boundary boundary = keep ? Boundary{} : find_boundary(model.cells, model.inside, progress);
-  for (int attempt = 0; attempt < kAttempts; ++attempt) {
+  for (int attempt = 0;; ++attempt) {
+    if (attempt == kAttempts) return crust_of_voronoi_balls(model, progress);
     progress.stage("power diagram", attempt ? 0.86 : 0.7);
-    selected = select(model, keep, keep_outer, attempt, progress);
+    selected =
+        attempt ? select_with_support(model, progress) : select_balls(model, keep, keep_outer);
     PowerDiagram diagram = power_diagram(selected.balls, selected.inner, progress);
     progress.stage("power crust", attempt ? 0.88 : 0.85);
     const CrustComplex crust =
         crust_complex(std::move(diagram), selected.balls.size(), selected.inner, progress);
-    const bool last = keep || attempt + 1 == kAttempts;
-    if (!last && !same_topology(crust, boundary)) continue;
+    if (!keep && !same_topology(crust, boundary)) continue;
     const CrustVertices vertices = crust_vertices(crust, model, selected, progress);
+    clamped = vertices.clamped;
     mesh = merge_crust(crust, vertices, selected.balls, model, progress);
     break;
   }
@@ -153,6 +166,11 @@ Surface power_crust(const Model &model, const uint8_t *keep, const uint8_t *keep
   for (int32_t &b : surface.polygon_ball) b = selected.model_ball(model, b);
   progress.stage("checking", 1);
   measure(surface, progress);
+  if (clamped)
+    surface.notes +=
+        std::to_string(clamped) + (clamped == 1 ? " corner" : " corners") +
+        " of the power crust's faces would lie far off the balls, and were drawn back to "
+        "them\n";
   return surface;
 }
 
