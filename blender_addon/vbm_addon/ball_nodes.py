@@ -8,7 +8,7 @@ It reads the attribute `radius`, writes the colour attribute `vbm_color`, and th
 import bpy
 import numpy as np
 
-from . import colors, compat
+from . import colors, compat, node_building
 from .creation import undone_on_failure
 
 NAME = "VBM Balls"
@@ -21,17 +21,9 @@ SCALE, DETAIL, LOW, HIGH = "Ball Scale", "Detail", "Smallest Radius", "Largest R
 SOLID, MATERIAL = "Colors in Solid Mode", "Material"
 
 
-def _find(collection, **attributes):
-    for datablock in collection:
-        if (datablock.get(_EDITION_KEY) == _EDITION and datablock.library is None
-                and all(getattr(datablock, key) == value for key, value in attributes.items())):
-            return datablock
-    return None
-
-
 def material():
     """The material of all ball objects, made if the file has none. (material, is it new)"""
-    found = _find(bpy.data.materials)
+    found = node_building.find(bpy.data.materials, _EDITION_KEY, _EDITION)
     if found is not None:
         return found, False
     with undone_on_failure() as made:
@@ -68,11 +60,6 @@ def _fill_ramp(ramp, scale):
         element.color = (*color, 1.0)
 
 
-def _socket(sockets, name):
-    """The socket in use: nodes that work on several types have one of each name and type."""
-    return next(socket for socket in sockets if socket.name == name and socket.enabled)
-
-
 def _build(tree):
     kinds = (("Geometry", "NodeSocketGeometry", {}),
              (SCALE, "NodeSocketFloat", dict(default=1.0, minimum=0.0,
@@ -89,35 +76,25 @@ def _build(tree):
     compat.new_group_socket(tree, "OUTPUT", "NodeSocketGeometry", "Geometry")
     compat.mark_as_modifier(tree)
 
-    place = iter(range(0, 20))
-
-    def node(kind, **settings):
-        made = tree.nodes.new(kind)
-        made.location = (200 * next(place), 0)
-        for key, value in settings.items():
-            setattr(made, key, value)
-        return made
-
-    def link(source, target):
-        tree.links.new(source, target)
+    node, link = node_building.tools(tree)
 
     given = node("NodeGroupInput")
     radius = node("GeometryNodeInputNamedAttribute", data_type="FLOAT")
     radius.inputs["Name"].default_value = "radius"
-    radius_value = _socket(radius.outputs, "Attribute")
+    radius_value = node_building.socket(radius.outputs, "Attribute")
 
     # Colour by radius.
     fraction = node("ShaderNodeMapRange")
-    link(radius_value, _socket(fraction.inputs, "Value"))
-    link(given.outputs[LOW], _socket(fraction.inputs, "From Min"))
-    link(given.outputs[HIGH], _socket(fraction.inputs, "From Max"))
+    link(radius_value, node_building.socket(fraction.inputs, "Value"))
+    link(given.outputs[LOW], node_building.socket(fraction.inputs, "From Min"))
+    link(given.outputs[HIGH], node_building.socket(fraction.inputs, "From Max"))
     ramp = node("ShaderNodeValToRGB", label="Colors")
     _fill_ramp(ramp.color_ramp, "VIRIDIS")
-    link(_socket(fraction.outputs, "Result"), ramp.inputs["Fac"])
+    link(node_building.socket(fraction.outputs, "Result"), ramp.inputs["Fac"])
     store = node("GeometryNodeStoreNamedAttribute", data_type="FLOAT_COLOR", domain="POINT")
     store.inputs["Name"].default_value = COLOR
     link(given.outputs["Geometry"], store.inputs["Geometry"])
-    link(ramp.outputs["Color"], _socket(store.inputs, "Value"))
+    link(ramp.outputs["Color"], node_building.socket(store.inputs, "Value"))
 
     # A sphere at every vertex.
     sphere = node("GeometryNodeMeshIcoSphere")
@@ -139,16 +116,16 @@ def _build(tree):
     real = node("GeometryNodeRealizeInstances")
     link(spread.outputs["Instances"], real.inputs[0])
     choose = node("GeometryNodeSwitch", input_type="GEOMETRY")
-    link(given.outputs[SOLID], _socket(choose.inputs, "Switch"))
-    link(spread.outputs["Instances"], _socket(choose.inputs, "False"))
-    link(real.outputs[0], _socket(choose.inputs, "True"))
+    link(given.outputs[SOLID], node_building.socket(choose.inputs, "Switch"))
+    link(spread.outputs["Instances"], node_building.socket(choose.inputs, "False"))
+    link(real.outputs[0], node_building.socket(choose.inputs, "True"))
     result = node("NodeGroupOutput")
-    link(_socket(choose.outputs, "Output"), result.inputs["Geometry"])
+    link(node_building.socket(choose.outputs, "Output"), result.inputs["Geometry"])
 
 
 def node_group():
     """The node group of all ball objects, made if the file has none. (group, is it new)"""
-    found = _find(bpy.data.node_groups, bl_idname="GeometryNodeTree")
+    found = node_building.find(bpy.data.node_groups, _EDITION_KEY, _EDITION)
     if found is not None:
         return found, False
     with undone_on_failure() as made:

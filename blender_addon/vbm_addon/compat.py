@@ -3,6 +3,7 @@
 
 import blf
 import bpy
+import gpu
 import numpy as np
 
 VERSION = bpy.app.version
@@ -109,3 +110,8 @@ def set_font_size(context):
         blf.size(0, size)
     else:
         blf.size(0, size, 72)
+
+
+def plain_shader():
+    """The shader that draws in one colour, given as the uniform `color`."""
+    return gpu.shader.from_builtin("UNIFORM_COLOR" if VERSION >= (3, 6, 0) else "3D_UNIFORM_COLOR")

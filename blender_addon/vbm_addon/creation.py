@@ -3,6 +3,7 @@
 
 from contextlib import contextmanager
 
+import bpy
 import numpy as np
 
 from . import compat
@@ -20,20 +21,24 @@ def undone_on_failure():
         raise
 
 
-def fill_mesh(mesh, vertices, offsets=None, corners=None):
-    """Vertices and, if given, polygons: polygon i has corners[offsets[i]:offsets[i + 1]]."""
+def fill_mesh(mesh, vertices, offsets=None, corners=None, edges=()):
+    """Vertices and, if given, polygons: polygon i has corners[offsets[i]:offsets[i + 1]]. `edges` are
+    those of no polygon, k x 2."""
     mesh.vertices.add(len(vertices))
     mesh.vertices.foreach_set("co", np.ascontiguousarray(vertices, dtype=np.float32).ravel())
+    if len(edges):
+        mesh.edges.add(len(edges))
+        mesh.edges.foreach_set("vertices", np.ascontiguousarray(edges, dtype=np.int32).ravel())
     if offsets is not None and len(offsets) > 1:
         offsets = np.asarray(offsets, dtype=np.int32)
         compat.write_faces(mesh, offsets[:-1], np.diff(offsets),
                            np.ascontiguousarray(corners, dtype=np.int32))
-    mesh.update(calc_edges=True)
+    mesh.update(calc_edges=True, calc_edges_loose=len(edges) > 0)
 
 
-def add_attribute(mesh, name, kind, values):
-    """A new attribute of the vertices. `kind` is Blender's: FLOAT, INT, BOOLEAN, FLOAT_COLOR."""
-    fill_attribute(mesh.attributes.new(name, kind, "POINT"), values)
+def add_attribute(mesh, name, kind, values, domain="POINT"):
+    """A new attribute. `kind` is Blender's: FLOAT, INT, BOOLEAN, FLOAT_COLOR."""
+    fill_attribute(mesh.attributes.new(name, kind, domain), values)
 
 
 def fill_attribute(attribute, values):
@@ -41,6 +46,19 @@ def fill_attribute(attribute, values):
     dtype = {"INT": np.int32, "BOOLEAN": bool}.get(kind, np.float32)
     attribute.data.foreach_set("color" if kind == "FLOAT_COLOR" else "value",
                                np.ascontiguousarray(values, dtype=dtype).ravel())
+
+
+def swap_data(obj, data):
+    """Give an object another mesh or curve; the old one goes if nothing else shows it."""
+    old = obj.data
+    name = old.name
+    for slot in old.materials:
+        if slot is not None and slot.name not in data.materials:
+            data.materials.append(slot)
+    obj.data = data
+    if old.users == 0:
+        (bpy.data.meshes if obj.type == "MESH" else bpy.data.curves).remove(old)
+        data.name = name
 
 
 _TRANSFORM = ("rotation_mode", "location", "rotation_euler", "rotation_quaternion",
@@ -67,9 +85,16 @@ def place_like(obj, origin):
 
 def show_result(context, obj, origin, source_display):
     """Link `obj` beside `origin`, select it alone, and treat what it was computed from as asked."""
+    show_results(context, [obj], origin, source_display)
+
+
+def show_results(context, objects, origin, source_display):
+    """As show_result() for several, the last of which is selected."""
     before = context.view_layer.objects.active
-    _collection_of(origin, context.view_layer.layer_collection).objects.link(obj)
-    select_alone(context, obj)
+    collection = _collection_of(origin, context.view_layer.layer_collection)
+    for obj in objects:
+        collection.objects.link(obj)
+    select_alone(context, objects[-1])
     # The balls that stood for the origin give way with it.
     for other in {origin, before}:
         if source_display == "HIDE":

@@ -14,6 +14,14 @@ class VBM_MT_object(bpy.types.Menu):
         layout.operator("vbm.rebuild_surface", icon="OUTLINER_OB_MESH")
         layout.operator("vbm.measure_thickness", icon="MOD_THICKNESS")
         layout.separator()
+        layout.operator("vbm.simplify_shape", icon="MOD_SIMPLIFY")
+        layout.operator("vbm.prune_axis")
+        layout.operator("vbm.remove_part")
+        layout.operator("vbm.undo_axis_step")
+        layout.separator()
+        layout.operator("vbm.topology_graph")
+        layout.operator("vbm.part_groups")
+        layout.separator()
         layout.operator("vbm.select_undersampled")
 
 

@@ -20,11 +20,12 @@ class Request:
 
 
 class Built:
-    """A model and the surfaces asked of it so far."""
+    """A model, and the surfaces and medial axes asked of it so far."""
 
     def __init__(self, model):
         self.model = model
         self.surfaces = {}
+        self.axes = cache.Kept(2)
 
 
 def build(request, progress):

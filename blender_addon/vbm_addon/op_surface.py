@@ -2,10 +2,9 @@
 """Operator: a closed surface from the active object, by way of its balls."""
 
 import bpy
-import numpy as np
 from bpy.props import BoolProperty, EnumProperty
 
-from . import creation, model, options, session, transfer
+from . import creation, model, options, session, surface_object
 from .job_operator import JobOperator
 from .op_balls import SOURCE_DISPLAY
 
@@ -27,10 +26,7 @@ class VBM_OT_rebuild_surface(JobOperator, options.BuildOptions, bpy.types.Operat
         name="Faces", default="TRIANGLES", description="Faces of a power crust",
         items=[("TRIANGLES", "Triangles", "Every face cut into triangles"),
                ("POLYGONS", "Polygons", "The faces as they are; not quite flat")])
-    shading: EnumProperty(
-        name="Shading", default="SOURCE", description="How the faces are shaded",
-        items=[("SOURCE", "As the Source", "As most of the source's faces; smooth for loose points"),
-               ("SMOOTH", "Smooth", "All smooth"), ("FLAT", "Flat", "All flat")])
+    shading: surface_object.SHADING
     copy_data: BoolProperty(
         name="Copy Attributes", default=True,
         description="Carry over attributes and vertex groups of the source's vertices, and its "
@@ -46,7 +42,9 @@ class VBM_OT_rebuild_surface(JobOperator, options.BuildOptions, bpy.types.Operat
     def finish(self, context, obj, request, result):
         built, surface = result
         with creation.undone_on_failure() as made:
-            shown = self._make(made, obj, request.source, built.model, surface)
+            shown = surface_object.make(made, f"{obj.name} Surface", obj, request.source, surface,
+                                        surface_object.Choices.of(self))
+            creation.describe(shown, surface.report, built.model.notes)
             creation.show_result(context, shown, obj, self.source_display)
         report = surface.report
         parts = report.components
@@ -55,41 +53,6 @@ class VBM_OT_rebuild_surface(JobOperator, options.BuildOptions, bpy.types.Operat
                  f"{len(shown.data.polygons):,} faces, genus {report.genus}, {closed}")
         lines = [f"Area {report.area:.4g}, volume {report.volume:.4g}"]
         return session.Outcome(title, lines, [*built.model.notes, *surface.notes])
-
-    def _make(self, made, origin, data, balls, surface):
-        mesh = bpy.data.meshes.new(f"{origin.name} Surface")
-        made.append((bpy.data.meshes, mesh))
-        triangles = np.asarray(surface.triangles)
-        if self.faces == "POLYGONS":
-            offsets, corners = surface.polygons.offsets, surface.polygons.corners
-        else:
-            offsets, corners = np.arange(0, 3 * len(triangles) + 1, 3), triangles.ravel()
-        creation.fill_mesh(mesh, surface.vertices, offsets, corners)
-        mesh.polygons.foreach_set("use_smooth", np.full(len(mesh.polygons), self._smooth(origin)))
-        creation.add_attribute(mesh, "radius", "FLOAT", surface.vertex_radius)
-        creation.add_attribute(mesh, "input_vertex", "INT", surface.vertex_input)
-        obj = bpy.data.objects.new(f"{origin.name} Surface", mesh)
-        made.append((bpy.data.objects, obj))
-        creation.place_like(obj, origin)
-        creation.describe(obj, surface.report, balls.notes)
-        if self.copy_data:
-            transfer.copy_materials(origin, mesh)
-            if data.own:
-                edges = np.concatenate([triangles[:, (0, 1)], triangles[:, (1, 2)],
-                                        triangles[:, (2, 0)]])
-                vertices = transfer.fill_unknown(surface.vertex_input, edges)
-                transfer.copy_attributes(origin.data, mesh, vertices)
-                transfer.copy_vertex_groups(origin, obj, vertices)
-        return obj
-
-    def _smooth(self, origin):
-        if self.shading != "SOURCE":
-            return self.shading == "SMOOTH"
-        if origin.type != "MESH" or self.ignore_faces or not origin.data.polygons:
-            return True
-        smooth = np.empty(len(origin.data.polygons), dtype=bool)
-        origin.data.polygons.foreach_get("use_smooth", smooth)
-        return bool(smooth.mean() > 0.5)
 
     def draw(self, context):
         layout = self.layout

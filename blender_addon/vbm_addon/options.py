@@ -41,15 +41,28 @@ def _property(parameter, flags):
                          precision=4 if length else 3, **length, **common)
 
 
-def _table():
-    return [row for row in vbm.parameters() if row["operation"] == "build"] if vbm else []
+def table(operation):
+    """The library's parameters of an operation."""
+    return [row for row in vbm.parameters() if row["operation"] == operation] if vbm else []
 
 
-BUILD_NAMES = tuple(row["name"] for row in _table())
+def properties_of(operation, flags):
+    """A Blender property for each parameter of an operation, by name."""
+    return {row["name"]: _property(row, flags) for row in table(operation)}
+
+
+def arguments_of(owner, names):
+    """The library's keyword arguments that `owner`'s properties of these names stand for."""
+    values = {name: getattr(owner, name) for name in names}
+    return {name: value.lower() if isinstance(value, str) else value
+            for name, value in values.items()}
+
+
+BUILD_NAMES = tuple(row["name"] for row in table("build"))
 
 
 def _annotations(flags, with_modifiers=True):
-    properties = {row["name"]: _property(row, flags) for row in _table()}
+    properties = properties_of("build", flags)
     properties["ignore_faces"] = BoolProperty(
         name="Points Only", options=flags,
         description="Forget the faces and take the vertices alone, as of a scan")
@@ -66,9 +79,7 @@ def _annotations(flags, with_modifiers=True):
 
 def build_arguments(owner):
     """The keyword arguments for vbm.build() that `owner`'s properties stand for."""
-    values = {name: getattr(owner, name) for name in BUILD_NAMES}
-    return {name: value.lower() if isinstance(value, str) else value
-            for name, value in values.items()}
+    return arguments_of(owner, BUILD_NAMES)
 
 
 class OwnMeshOptions:

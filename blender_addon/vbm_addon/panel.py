@@ -8,6 +8,10 @@ from . import (colors, job_operator, library, op_balls, op_surface, op_thickness
                source, text)
 
 
+#: Notes shown with the result; the others are folded away, or the panels below would be out of sight.
+_NOTES = 2
+
+
 class _Tab:
     bl_space_type = "VIEW_3D"
     bl_region_type = "UI"
@@ -64,10 +68,25 @@ class VBM_PT_result(_Tab, bpy.types.Panel):
             text.draw(box, context, last.title, icon="CHECKMARK")
             for line in last.lines:
                 text.draw(box, context, line, icon="BLANK1")
-        for note in last.notes:
+        for note in last.notes[:_NOTES]:
             text.draw(box, context, note, icon="INFO")
         if last.elements:
             box.operator("vbm.select_faulty", icon="RESTRICT_SELECT_OFF")
+
+
+class VBM_PT_notes(_Tab, bpy.types.Panel):
+    bl_label = "More Notes"
+    bl_parent_id = "VBM_PT_result"
+    bl_options = {"DEFAULT_CLOSED"}
+
+    @classmethod
+    def poll(cls, context):
+        return len(session.last.notes) > _NOTES
+
+    def draw(self, context):
+        box = self.layout.box()
+        for note in session.last.notes[_NOTES:]:
+            text.draw(box, context, note, icon="INFO")
 
 
 class VBM_PT_legend(_Tab, bpy.types.Panel):
@@ -174,7 +193,7 @@ class VBM_Swatches(bpy.types.PropertyGroup):
             __annotations__[f"{_scale}_{_index}"] = _swatch(_color.tolist())
 
 
-_CLASSES = (VBM_Swatches, VBM_PT_main, VBM_PT_legend, VBM_PT_result, VBM_PT_build, VBM_PT_limits,
+_CLASSES = (VBM_Swatches, VBM_PT_main, VBM_PT_legend, VBM_PT_result, VBM_PT_notes, VBM_PT_build, VBM_PT_limits,
             VBM_PT_balls, VBM_PT_surface, VBM_PT_thickness)
 
 

@@ -31,12 +31,25 @@ class Source:
     digest: bytes
 
 
+def axis_state(obj):
+    """`obj.vbm_axis` where it was ever written, else None: reading it would put it on any object."""
+    return obj.vbm_axis if obj is not None and obj.is_property_set("vbm_axis") else None
+
+
 def resolve(context):
-    """(object to build from, why there is none). A ball object stands for what it was built from."""
+    """(object to build from, why there is none). Balls, and a medial axis with its graph and its
+    skeleton, stand for what they were computed from."""
     active = context.active_object
     if active is None:
         return None, "There is no active object: select a mesh"
-    if SOURCE_KEY in active:
+    own = axis_state(active)
+    if own is not None and (own.recipe or own.follows):
+        state = own if own.recipe else axis_state(own.owner)
+        origin = state.source if state is not None else None
+        if origin is None or context.view_layer.objects.get(origin.name) != origin:
+            return None, f"What {active.name} was computed from is gone: select another mesh"
+        active = origin
+    elif SOURCE_KEY in active:
         name = active[SOURCE_KEY]
         origin = context.view_layer.objects.get(name)
         if origin is None:

@@ -164,21 +164,21 @@ def test_undo_and_redo():
 def test_second_run_takes_the_kept_model():
     source = icosphere(subdivisions=3)
     bpy.ops.vbm.build_balls()
-    kept = list(cache._entries.values())
+    kept = cache.values()
     activate(source)
     bpy.ops.vbm.build_balls(detail=1)
     activate(source)
     bpy.ops.vbm.measure_thickness()
-    assert list(cache._entries.values()) == kept
+    assert cache.values() == kept
     source.data.vertices[0].co.x += 0.01
     activate(source)
     bpy.ops.vbm.build_balls()
-    assert len(cache._entries) == 2
+    assert len(cache.values()) == 2
     activate(source)
     bpy.ops.vbm.build_balls(balls="VORONOI")
-    assert len(cache._entries) == cache.LIMIT
+    assert len(cache.values()) == cache.LIMIT
     bpy.ops.wm.read_homefile(use_empty=True)
-    assert not cache._entries
+    assert not cache.values()
 
 
 def test_group_and_material_are_shared():

@@ -71,7 +71,7 @@ def test_errors_come_back():
     wait(lambda: not job.running)
     assert isinstance(job.error, library.vbm.InputError)
     assert tuple(job.error.elements) == (3,)
-    assert not cache._entries
+    assert not cache.values()
 
 
 class Window:
