@@ -18,13 +18,14 @@ std::vector<Param> params() {
   return params;
 }
 
-Outcome run(const Layer &layer, const Values &values, Progress &progress) {
+Outcome run(const Task &task) {
+  const auto &[layer, values, progress, axes] = task;
   vbm::Context context;
   progress.stage(context, 0, 99);
   const vbm::Model model = build_model(context, layer, values);
 
   NewLayer balls;
-  balls.suffix = "balls";
+  balls.name = layer.name + " balls";
   balls.hide_source = values.flag("hide");
   // Inner balls come first.
   const std::size_t wanted = values.flag("outer") ? model.radii().size : model.inner_count();
@@ -59,7 +60,8 @@ const Filter ball_model_filter = {
     "<i>N. Amenta, S. Choi, R. Kolluri</i>, <b>\"The power crust, unions of balls, and the medial "
     "axis "
     "transform\"</b>, Computational Geometry 19(2-3), 2001",
-    true,
+    kRemeshing | kPointSet,
+    kNothing,
     params,
     run,
 };

@@ -5,17 +5,20 @@
 
 namespace vbm_filters {
 
-const std::array<const Filter *, 3> &filters() {
-  static const std::array<const Filter *, 3> all = {&ball_model_filter, &closed_surface_filter,
-                                                    &thickness_filter};
+const std::vector<const Filter *> &filters() {
+  static const std::vector<const Filter *> all = {
+      &ball_model_filter, &closed_surface_filter, &thickness_filter,  &medial_axis_filter,
+      &simplify_filter,   &remove_parts_filter,   &part_color_filter,
+  };
   return all;
 }
 
-Outcome run(const Filter &filter, const Layer &layer, const Values &values, Callback callback) {
+Outcome run(const Filter &filter, const Layer &layer, const Values &values, AxisStore &axes,
+            Callback callback) {
   try {
     check(filter.params(), values);
     Progress progress(std::move(callback));
-    return filter.run(layer, values, progress);
+    return filter.run({layer, values, progress, axes});
   } catch (const Failure &) {
     throw;
   } catch (const vbm::Error &error) {

@@ -1,16 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model.h"
 
+#include "options.h"
 #include "text.h"
-
-#include <sstream>
 
 namespace vbm_filters {
 
 std::vector<Param> model_params(std::vector<std::string> without) {
   // Limits are for programs; a person sees how long it takes, and can stop it.
   without.insert(without.end(), {"sample_limit", "cell_limit"});
-  std::vector<Param> params = build_params(without);
+  std::vector<Param> params = library_params("build", without);
   params.insert(
       params.begin(),
       {bool_param("ignore_faces", "Ignore Faces",
@@ -30,9 +29,7 @@ Param hide_param() {
 
 vbm::Model build_model(vbm::Context &context, const Layer &layer, const Values &values) {
   vbm::BuildOptions options;
-  for (const Param &param : build_params({}))
-    // A parameter this filter does not show keeps its default.
-    if (values.has(param.name)) set_build_option(options, param.name, values.get(param.name));
+  set_options(options, "build", values);
 
   const vbm::View<double, 3> points{layer.points.data(), layer.vertex_count()};
   if (!layer.triangles.empty() && !values.flag("ignore_faces"))
@@ -43,12 +40,6 @@ vbm::Model build_model(vbm::Context &context, const Layer &layer, const Values &
   if (values.flag("use_normals") && !layer.normals.empty())
     normals = {layer.normals.data(), layer.vertex_count()};
   return vbm::build_points(context, points, normals, options);
-}
-
-void add_notes(const char *notes, std::vector<std::string> &log) {
-  std::istringstream lines(notes);
-  for (std::string line; std::getline(lines, line);)
-    if (!line.empty()) log.push_back(line);
 }
 
 void describe(const vbm::Model &model, const Layer &layer, std::vector<std::string> &log) {

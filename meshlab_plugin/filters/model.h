@@ -17,9 +17,6 @@ Param hide_param();
 
 vbm::Model build_model(vbm::Context &context, const Layer &layer, const Values &values);
 
-// The library's sentences, a line each.
-void add_notes(const char *notes, std::vector<std::string> &log);
-
 // What was done, and what the library has to say about it, a sentence each.
 void describe(const vbm::Model &model, const Layer &layer, std::vector<std::string> &log);
 

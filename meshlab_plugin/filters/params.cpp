@@ -73,10 +73,11 @@ Param from_library(const vbm_param &given) {
 
 } // namespace
 
-std::vector<Param> build_params(const std::vector<std::string> &without) {
+std::vector<Param> library_params(const std::string &operation,
+                                  const std::vector<std::string> &without) {
   std::vector<Param> params;
   for (const vbm_param &given : vbm::parameters()) {
-    if (std::string(given.operation) != "build") continue;
+    if (operation != given.operation) continue;
     if (std::find(without.begin(), without.end(), given.name) != without.end()) continue;
     params.push_back(from_library(given));
   }
@@ -100,28 +101,6 @@ void check(const std::vector<Param> &params, const Values &values) {
                   (whole ? "a whole number " : "") + "from " + number(param.minimum) + " to " +
                   number(param.maximum) + ".");
   }
-}
-
-bool set_build_option(vbm_build_options &options, const std::string &name, double value) {
-  if (name == "balls")
-    options.balls = static_cast<std::int32_t>(value);
-  else if (name == "labels")
-    options.labels = static_cast<std::int32_t>(value);
-  else if (name == "spacing")
-    options.spacing = value;
-  else if (name == "undersampling")
-    options.undersampling = value;
-  else if (name == "drop_invalid")
-    options.drop_invalid = static_cast<std::int32_t>(value);
-  else if (name == "refine")
-    options.refine = static_cast<std::int32_t>(value);
-  else if (name == "sample_limit")
-    options.sample_limit = static_cast<std::uint64_t>(value);
-  else if (name == "cell_limit")
-    options.cell_limit = static_cast<std::uint64_t>(value);
-  else
-    return false;
-  return true;
 }
 
 } // namespace vbm_filters

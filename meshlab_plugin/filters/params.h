@@ -25,9 +25,10 @@ Param bool_param(std::string name, std::string label, std::string help, bool def
 Param enum_param(std::string name, std::string label, std::string help,
                  std::vector<std::string> items);
 
-// The library's parameters for building a ball model, but for those named in `without`. Labels that
+// The library's parameters of an operation ("build"), but for those named in `without`. Labels that
 // only volumes and range scans can use are left out of their list.
-std::vector<Param> build_params(const std::vector<std::string> &without);
+std::vector<Param> library_params(const std::string &operation,
+                                  const std::vector<std::string> &without = {});
 
 // Values by parameter name. Reading one that is not there gives 0.
 class Values {
@@ -44,8 +45,5 @@ private:
 // Hosts do not check what scripts give them: throws Failure for a value outside its parameter's
 // range.
 void check(const std::vector<Param> &params, const Values &values);
-
-// Sets the field of the option struct that has this name; false if there is none.
-bool set_build_option(vbm_build_options &options, const std::string &name, double value);
 
 } // namespace vbm_filters

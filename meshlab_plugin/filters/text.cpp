@@ -2,6 +2,7 @@
 #include "text.h"
 
 #include <charconv>
+#include <sstream>
 
 namespace vbm_filters {
 
@@ -20,6 +21,18 @@ std::string count(std::uint64_t value) {
 
 std::string count(std::uint64_t value, const char *one, const char *many) {
   return count(value) + " " + (value == 1 ? one : many);
+}
+
+std::string lower(std::string text) {
+  for (char &c : text)
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  return text;
+}
+
+void add_notes(const char *notes, std::vector<std::string> &log) {
+  std::istringstream lines(notes);
+  for (std::string line; std::getline(lines, line);)
+    if (!line.empty()) log.push_back(line);
 }
 
 } // namespace vbm_filters

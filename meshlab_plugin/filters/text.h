@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <string>
+#include <vector>
 
 namespace vbm_filters {
 
@@ -11,5 +12,11 @@ std::string number(double value);       // "0.0125", six digits; "nan", "inf"
 std::string count(std::uint64_t value); // "34834"
 // "1 vertex", "3 vertices"
 std::string count(std::uint64_t value, const char *one, const char *many);
+
+// Of the library's labels, which are English.
+std::string lower(std::string text);
+
+// The library's notes, one sentence a line, each as a line of the log.
+void add_notes(const char *notes, std::vector<std::string> &log);
 
 } // namespace vbm_filters

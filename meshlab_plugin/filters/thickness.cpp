@@ -34,7 +34,8 @@ double finite(double value) {
   return std::isfinite(value) ? value : std::numeric_limits<double>::quiet_NaN();
 }
 
-Outcome run(const Layer &layer, const Values &values, Progress &progress) {
+Outcome run(const Task &task) {
+  const auto &[layer, values, progress, axes] = task;
   vbm::Context context;
   progress.stage(context, 0, 99);
   const vbm::Model model = build_model(context, layer, values);
@@ -94,7 +95,8 @@ const Filter thickness_filter = {
     "<i>N. Amenta, S. Choi, R. Kolluri</i>, <b>\"The power crust, unions of balls, and the medial "
     "axis "
     "transform\"</b>, Computational Geometry 19(2-3), 2001",
-    false,
+    kQuality | kMeasure,
+    kVertexQuality | kVertexRadius | kVertexColor,
     params,
     run,
 };

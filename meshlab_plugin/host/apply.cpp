@@ -34,10 +34,10 @@ private:
   bool owner_ = false;
 };
 
-void add_layer(MeshDocument &document, const Source &source, const NewLayer &result) {
+int add_layer(MeshDocument &document, const Source &source, const NewLayer &result) {
   const int current = document.mm() ? document.mm()->id() : -1;
-  const QString label = source.name + " " + QString::fromStdString(result.suffix);
-  MeshModel *layer = document.addNewMesh(QString(), label, true);
+  MeshModel *layer = document.addNewMesh(QString(), QString::fromStdString(result.name), true);
+  const int id = layer->id();
   try {
     fill(*layer, result);
     layer->cm.Tr = source.matrix;
@@ -46,8 +46,25 @@ void add_layer(MeshDocument &document, const Source &source, const NewLayer &res
     if (current >= 0) document.setCurrentMesh(current);
     throw;
   }
+  return id;
+}
+
+// All of them, or none.
+void add_layers(MeshDocument &document, const Source &source,
+                const std::vector<NewLayer> &results) {
+  const int current = document.mm() ? document.mm()->id() : -1;
+  std::vector<int> added;
+  try {
+    added.reserve(results.size());
+    for (const NewLayer &result : results) added.push_back(add_layer(document, source, result));
+  } catch (...) {
+    for (int id : added) delete_layer(document, document.getMesh(id));
+    if (current >= 0) document.setCurrentMesh(current);
+    throw;
+  }
   // Last, when nothing can fail any more. The layer may be gone by now.
-  if (result.hide_source && document.getMesh(source.id)) document.setVisible(source.id, false);
+  for (const NewLayer &result : results)
+    if (result.hide_source && document.getMesh(source.id)) document.setVisible(source.id, false);
 }
 
 void write_values(MeshDocument &document, const Source &source, const VertexValues &values) {
@@ -63,15 +80,15 @@ void write_values(MeshDocument &document, const Source &source, const VertexValu
 }
 
 void run(const vbm_filters::Filter &filter, const vbm_filters::Values &values,
-         MeshDocument &document, vcg::CallBackPos *callback, const Log &log) {
+         MeshDocument &document, vbm_filters::AxisStore &axes, vcg::CallBackPos *callback,
+         const Log &log) {
   if (!document.mm()) throw Failure("There is no layer to work on: open a mesh first.");
   const Source source = copy_out(*document.mm());
 
-  const Outcome outcome =
-      vbm_filters::run(filter, source.layer, values, [callback](int percent, const char *stage) {
-        return !callback || callback(percent, stage);
-      });
-  for (const NewLayer &layer : outcome.layers) add_layer(document, source, layer);
+  const Outcome outcome = vbm_filters::run(
+      filter, source.layer, values, axes,
+      [callback](int percent, const char *stage) { return !callback || callback(percent, stage); });
+  add_layers(document, source, outcome.layers);
   for (const VertexValues &written : outcome.values) write_values(document, source, written);
   for (const std::string &line : outcome.log) log(false, line);
 }
@@ -85,7 +102,7 @@ void Applier::apply(const vbm_filters::Filter &filter, const vbm_filters::Values
   std::string message;
   try {
     BusyGuard guard(busy_);
-    run(filter, values, document, callback, log);
+    run(filter, values, document, axes_, callback, log);
     return;
   } catch (const std::bad_alloc &) {
     message = "There is not enough memory for this.";

@@ -19,6 +19,7 @@ public:
              MeshDocument &document, vcg::CallBackPos *callback, const Log &log);
 
 private:
+  vbm_filters::AxisStore axes_;
   // MeshLab's progress callback handles events, Apply pressed a second time among them.
   bool busy_ = false;
 };

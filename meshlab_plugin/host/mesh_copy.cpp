@@ -18,6 +18,8 @@ QString plain_name(const QString &label) {
   return name.replace('.', '_');
 }
 
+vcg::Color4b host_color(const vbm_filters::Color &c) { return vcg::Color4b(c.r, c.g, c.b, c.a); }
+
 vcg::Color4b ramp_color(const Ramp &ramp, double value) {
   vcg::Color4b color;
   // Equal balls everywhere are no reason to call them all small.
@@ -51,7 +53,7 @@ Source copy_out(MeshModel &model) {
   Source source;
   const CMeshO &mesh = model.cm;
   source.id = model.id();
-  source.name = plain_name(model.label());
+  source.layer.name = plain_name(model.label()).toStdString();
   source.matrix = mesh.Tr;
   source.places = mesh.vert.size();
   Matrix44m identity;
@@ -59,6 +61,7 @@ Source copy_out(MeshModel &model) {
   source.layer.transformed = !(source.matrix == identity);
 
   const bool colored = model.hasDataMask(MeshModel::MM_VERTCOLOR);
+  const bool balls = model.hasDataMask(MeshModel::MM_VERTRADIUS);
   constexpr std::int32_t kDeleted = -1;
   std::vector<std::int32_t> index(mesh.vert.size(), kDeleted);
   auto &layer = source.layer;
@@ -75,10 +78,13 @@ Source copy_out(MeshModel &model) {
       const vcg::Color4b c = vertex.cC();
       layer.colors.push_back({c[0], c[1], c[2], c[3]});
     }
+    if (balls) layer.radius.push_back(vertex.cR());
+    layer.selected_vertices.push_back(vertex.IsS());
   }
   layer.renumbered = source.place.size() != mesh.vert.size();
   for (const CFaceO &face : mesh.face) {
     if (face.IsD()) continue;
+    layer.selected_triangles.push_back(face.IsS());
     for (int k = 0; k < 3; ++k)
       layer.triangles.push_back(index[static_cast<std::size_t>(face.cV(k) - &mesh.vert[0])]);
   }
@@ -90,6 +96,8 @@ void fill(MeshModel &model, const NewLayer &result) {
   int mask = MeshModel::MM_VERTQUALITY | MeshModel::MM_VERTRADIUS;
   if (!result.colors.empty() || result.ramp.wanted) mask |= MeshModel::MM_VERTCOLOR;
   if (!result.inner_edge.empty()) mask |= MeshModel::MM_POLYGONAL;
+  if (!result.triangle_colors.empty()) mask |= MeshModel::MM_FACECOLOR;
+  if (!result.triangle_quality.empty()) mask |= MeshModel::MM_FACEQUALITY;
   model.updateDataMask(mask);
 
   const std::size_t vertices = result.points.size() / 3, faces = result.triangles.size() / 3;
@@ -102,18 +110,21 @@ void fill(MeshModel &model, const NewLayer &result) {
     vertex.Q() = static_cast<float>(result.quality[i]);
     vertex.R() = static_cast<Scalarm>(result.radius[i]);
     if (!result.colors.empty()) {
-      const auto &c = result.colors[i];
-      vertex.C() = vcg::Color4b(c.r, c.g, c.b, c.a);
+      vertex.C() = host_color(result.colors[i]);
     } else if (result.ramp.wanted) {
       vertex.C() = ramp_color(result.ramp, result.quality[i]);
     }
   }
   vcg::tri::Allocator<CMeshO>::AddFaces(mesh, faces);
-  for (std::size_t i = 0; i < faces; ++i)
+  for (std::size_t i = 0; i < faces; ++i) {
+    CFaceO &face = mesh.face[i];
     for (int k = 0; k < 3; ++k) {
-      mesh.face[i].V(k) = &mesh.vert[static_cast<std::size_t>(result.triangles[3 * i + k])];
-      if (!result.inner_edge.empty() && result.inner_edge[3 * i + k]) mesh.face[i].SetF(k);
+      face.V(k) = &mesh.vert[static_cast<std::size_t>(result.triangles[3 * i + k])];
+      if (!result.inner_edge.empty() && result.inner_edge[3 * i + k]) face.SetF(k);
     }
+    if (!result.triangle_colors.empty()) face.C() = host_color(result.triangle_colors[i]);
+    if (!result.triangle_quality.empty()) face.Q() = static_cast<float>(result.triangle_quality[i]);
+  }
   vcg::tri::UpdateBounding<CMeshO>::Box(mesh);
   if (!faces) {
     // Without normals MeshLab draws points in their own colours, instead of lighting them.
@@ -127,14 +138,19 @@ void fill(MeshModel &model, const NewLayer &result) {
 }
 
 void write(MeshModel &model, const Source &source, const VertexValues &values) {
-  int mask = MeshModel::MM_VERTQUALITY | MeshModel::MM_VERTRADIUS;
-  if (values.ramp.wanted) mask |= MeshModel::MM_VERTCOLOR;
+  int mask = MeshModel::MM_VERTQUALITY;
+  if (!values.radius.empty()) mask |= MeshModel::MM_VERTRADIUS;
+  if (!values.colors.empty() || values.ramp.wanted) mask |= MeshModel::MM_VERTCOLOR;
   model.updateDataMask(mask);
   const auto number = [](double value) { return std::isnan(value) ? 0.0 : value; };
   for (std::size_t i = 0; i < source.place.size(); ++i) {
     CVertexO &vertex = model.cm.vert[source.place[i]];
     vertex.Q() = static_cast<float>(number(values.quality[i]));
-    vertex.R() = static_cast<Scalarm>(number(values.radius[i]));
+    if (!values.radius.empty()) vertex.R() = static_cast<Scalarm>(number(values.radius[i]));
+    if (!values.colors.empty()) {
+      vertex.C() = host_color(values.colors[i]);
+      continue;
+    }
     if (!values.ramp.wanted) continue;
     vertex.C() = std::isnan(values.quality[i]) ? vcg::Color4b(vcg::Color4b::Gray)
                                                : ramp_color(values.ramp, values.quality[i]);

@@ -11,7 +11,6 @@ namespace vbm_meshlab {
 // touched while the filter runs: MeshLab handles events meanwhile, and the layer may change or go.
 struct Source {
   int id = 0;
-  QString name; // without a suffix
   Matrix44m matrix;
   std::size_t places = 0;         // vertices, deleted ones included
   std::vector<std::size_t> place; // of every vertex of `layer`

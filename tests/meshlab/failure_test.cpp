@@ -44,7 +44,9 @@ void expect_refused(const char *filter, MeshDocument &document, const host::Give
   EXPECT_EQ(state(document), before) << filter;
 }
 
-const std::vector<const char *> all = {host::kBalls, host::kSurface, host::kThickness};
+// Those that start from any shape.
+const std::vector<const char *> all = {host::kBalls, host::kSurface,  host::kThickness,
+                                       host::kAxis,  host::kSimplify, host::kPartColor};
 
 TEST(Failure, NotFinite) {
   for (const char *filter : all) {

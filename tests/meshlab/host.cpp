@@ -2,6 +2,7 @@
 #include "host.h"
 
 #include <QAction>
+#include <QDomDocument>
 #include <QPluginLoader>
 
 #include <stdexcept>
@@ -20,6 +21,10 @@ namespace host {
 const char *const kBalls = "Voronoi Balls: Build Ball Model";
 const char *const kSurface = "Voronoi Balls: Rebuild Closed Surface";
 const char *const kThickness = "Voronoi Balls: Compute Thickness";
+const char *const kAxis = "Voronoi Balls: Build Medial Axis";
+const char *const kSimplify = "Voronoi Balls: Simplify Shape";
+const char *const kRemoveParts = "Voronoi Balls: Remove Selected Parts";
+const char *const kPartColor = "Voronoi Balls: Colour by Part";
 
 namespace {
 
@@ -133,6 +138,16 @@ double whole(const std::string &filter, const std::string &param, MeshDocument &
 #endif
   RichParameterList list = parameters(filter, document);
   return dynamic_cast<const Length &>(list.getParameterByName(QString::fromStdString(param))).max;
+}
+
+std::string script(const std::string &filter, MeshDocument &document) {
+  QDomDocument text;
+  QDomElement step = text.createElement("filter");
+  step.setAttribute("name", QString::fromStdString(filter));
+  const RichParameterList list = parameters(filter, document);
+  for (const RichParameter &param : list) step.appendChild(param.fillToXMLDocument(text, false));
+  text.appendChild(step);
+  return text.toString().toStdString();
 }
 
 Result apply(const std::string &filter, MeshDocument &document, const Given &given,

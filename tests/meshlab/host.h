@@ -24,7 +24,9 @@ struct Result {
   bool logged(const std::string &part) const;
 };
 
-extern const char *const kBalls, *const kSurface, *const kThickness;
+extern const char *const kBalls,
+    *const kSurface, *const kThickness, *const kAxis, *const kSimplify, *const kRemoveParts,
+                                                                            *const kPartColor;
 
 std::vector<std::string> filter_names();
 std::string help(const std::string &filter);
@@ -38,6 +40,9 @@ std::vector<std::string> items(const std::string &filter, const std::string &par
 
 // Of the dialog's length: what 100 per cent of it is.
 double whole(const std::string &filter, const std::string &param, MeshDocument &document);
+
+// The filter as a step of a MeshLab script, with the dialog's defaults for this document.
+std::string script(const std::string &filter, MeshDocument &document);
 
 // `during`, if given, is called by each progress call; false cancels.
 Result apply(const std::string &filter, MeshDocument &document, const Given &given = {},

@@ -41,8 +41,9 @@ TYPES = {"float": "<f4", "double": "<f8", "uchar": "u1", "char": "i1", "int": "<
          "short": "<i2", "ushort": "<u2"}
 
 
-def read_ply(path):
-    """The vertices as a record array, and the triangles: of a binary little-endian PLY."""
+def read_ply(path, with_faces=False):
+    """The vertices as a record array, and the triangles: of a binary little-endian PLY. With the faces' own
+    record array, if asked for."""
     data = open(path, "rb").read()
     end = data.index(b"end_header\n") + len(b"end_header\n")
     header = data[:end].decode("ascii").splitlines()
@@ -58,12 +59,12 @@ def read_ply(path):
     assert vertex == "vertex"
     kind = np.dtype([(name, TYPES[type_]) for type_, name in vertex_properties])
     vertices = np.frombuffer(data, kind, vertex_count, end)
-    triangles = np.empty((0, 3), int)
+    faces = np.empty(0, [("size", "u1"), ("corners", "<i4", 3)])
     if rest and rest[0][1]:
         (_, count, ((_, size, index, _), *more)), = rest
-        assert not more and TYPES[size] == "u1"
-        face = np.dtype([("size", "u1"), ("corners", TYPES[index], 3)])
+        assert TYPES[size] == "u1"
+        face = np.dtype([("size", "u1"), ("corners", TYPES[index], 3)] + [(name, TYPES[type_]) for type_, name in more])
         faces = np.frombuffer(data, face, count, end + vertices.nbytes)
         assert (faces["size"] == 3).all()
-        triangles = faces["corners"].astype(int)
-    return vertices, triangles
+    triangles = faces["corners"].astype(int)
+    return (vertices, triangles, faces) if with_faces else (vertices, triangles)

@@ -5,7 +5,9 @@
 #include <vcg/complex/algorithms/create/platonic.h>
 #include <vcg/complex/algorithms/inertia.h>
 
+#include <algorithm>
 #include <cmath>
+#include <random>
 
 namespace shapes {
 
@@ -24,6 +26,18 @@ MeshModel *sphere(MeshDocument &document, double radius) {
   for (auto &vertex : model->cm.vert) {
     vertex.P().Normalize();
     vertex.P() *= Scalarm(radius);
+  }
+  finish(*model);
+  return model;
+}
+
+MeshModel *horned_sphere(MeshDocument &document) {
+  MeshModel *model = host::add_layer(document, "horned.ply");
+  vcg::tri::Sphere(model->cm, 5);
+  for (auto &vertex : model->cm.vert) {
+    vertex.P().Normalize();
+    const double angle = std::acos(std::min(1.0, double(vertex.cP()[2])));
+    vertex.P() *= Scalarm(2 + 1.5 * std::exp(-std::pow(angle / 0.2, 2)));
   }
   finish(*model);
   return model;
@@ -48,6 +62,32 @@ MeshModel *torus(MeshDocument &document, double ring, double tube) {
     }
   vcg::tri::BuildMeshFromCoordVectorIndexVector(model->cm, points, faces);
   finish(*model);
+  return model;
+}
+
+MeshModel *box(MeshDocument &document, double spacing) {
+  MeshModel *model = host::add_layer(document, "box.ply");
+  const double size[3] = {4, 2, 1};
+  std::mt19937 random(1);
+  const auto shake = [&] { return (random() / double(std::mt19937::max()) - 0.5) * 0.6; };
+  int steps[3];
+  for (int a = 0; a < 3; ++a) steps[a] = int(std::lround(size[a] / spacing));
+  for (int i = 0; i <= steps[0]; ++i)
+    for (int j = 0; j <= steps[1]; ++j)
+      for (int k = 0; k <= steps[2]; ++k) {
+        const int at[3] = {i, j, k};
+        int walls = 0;
+        for (int a = 0; a < 3; ++a) walls += at[a] == 0 || at[a] == steps[a];
+        if (!walls) continue;
+        double p[3];
+        for (int a = 0; a < 3; ++a) {
+          const bool wall = at[a] == 0 || at[a] == steps[a];
+          p[a] = spacing * (at[a] + (walls == 1 && !wall ? shake() : 0));
+        }
+        vcg::tri::Allocator<CMeshO>::AddVertex(
+            model->cm, Point3m(Scalarm(p[0]), Scalarm(p[1]), Scalarm(p[2])));
+      }
+  vcg::tri::UpdateBounding<CMeshO>::Box(model->cm);
   return model;
 }
 

@@ -10,6 +10,12 @@ namespace shapes {
 MeshModel *sphere(MeshDocument &document, double radius);
 // A torus round the z axis, 96 x 48 vertices.
 MeshModel *torus(MeshDocument &document, double ring, double tube);
+// Bare points on a box of 4 x 2 x 1 with a corner at the origin: on its edges and corners, and
+// shaken within its faces, the same ones every time.
+MeshModel *box(MeshDocument &document, double spacing);
+// A sphere of radius 2 about the origin with a horn of length 1.5 in the direction z, 10242
+// vertices.
+MeshModel *horned_sphere(MeshDocument &document);
 void forget_faces(MeshModel &model);
 void finish(MeshModel &model); // its box and normals
 

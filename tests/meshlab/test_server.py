@@ -5,6 +5,7 @@ import os
 import pathlib
 import shutil
 import subprocess
+from xml.etree import ElementTree
 
 import numpy as np
 import pytest
@@ -17,40 +18,31 @@ if not SERVER.exists():
 if not shutil.which("xvfb-run"):
     pytest.skip("meshlabserver needs an X server: xvfb-run is not there", allow_module_level=True)
 
-# Scripts have to name every parameter: meshlabserver stops at an assertion otherwise.
-BUILD = """
-  <Param type="RichBool" name="ignore_faces" value="{ignore_faces}"/>
-  <Param type="RichBool" name="use_normals" value="false"/>"""
-LIBRARY = """
-  <Param type="RichEnum" name="labels" value="{labels}" enum_cardinality="3" enum_val0="Automatic" enum_val1="Normals" enum_val2="Propagation"/>
-  <Param type="RichAbsPerc" name="spacing" value="{spacing}" min="0" max="8"/>{undersampling}
-  <Param type="RichBool" name="drop_invalid" value="false"/>
-  <Param type="RichBool" name="refine" value="true"/>"""
-HIDE = """
-  <Param type="RichBool" name="hide" value="true"/>"""
-UNDERSAMPLING = """
-  <Param type="RichFloat" name="undersampling" value="1"/>"""
-FILTERS = {
-    "Build Ball Model": BUILD + """
-  <Param type="RichBool" name="outer" value="false"/>
-  <Param type="RichEnum" name="balls" value="0" enum_cardinality="2" enum_val0="Polar Balls" enum_val1="All Voronoi Balls"/>"""
-    + LIBRARY + HIDE,
-    "Rebuild Closed Surface": """
-  <Param type="RichEnum" name="method" value="{method}" enum_cardinality="2" enum_val0="Interpolating" enum_val1="Power Crust"/>"""
-    + BUILD + """
-  <Param type="RichBool" name="polygons" value="false"/>""" + LIBRARY + HIDE,
-    "Compute Thickness": """
-  <Param type="RichEnum" name="measure" value="0" enum_cardinality="3" enum_val0="Thickness" enum_val1="Gap" enum_val2="Local Feature Size"/>
-  <Param type="RichBool" name="colorize" value="true"/>""" + BUILD + LIBRARY,
-}
 
 
-def script(path, action, ignore_faces=False, labels=0, spacing=-1.0, method=0):
-    undersampling = "" if action == "Compute Thickness" else UNDERSAMPLING
-    params = FILTERS[action].format(ignore_faces=str(ignore_faces).lower(), labels=labels, spacing=spacing,
-                                    method=method, undersampling=undersampling)
-    path.write_text(f'<!DOCTYPE FilterScript>\n<FilterScript>\n <filter name="Voronoi Balls: {action}">{params}\n'
-                    " </filter>\n</FilterScript>\n")
+def step(action, /, **values):
+    """A filter as MeshLab itself would write it into a script: with every parameter, which it has to name
+    (meshlabserver stops at an assertion otherwise), and these values for some of them."""
+    environment = dict(os.environ, QT_QPA_PLATFORM="offscreen", LC_ALL="C")
+    written = subprocess.run([os.environ["VBM_MESHLAB_TEST"], "--script", f"Voronoi Balls: {action}"],
+                             capture_output=True, text=True, check=True, env=environment).stdout
+    element = ElementTree.fromstring(written)
+    params = {param.get("name"): param for param in element}
+    for name, value in values.items():
+        params[name].set("value", str(value).lower() if isinstance(value, bool) else str(value))
+    return element
+
+
+def select(condition):
+    """MeshLab's own filter that selects faces by a formula."""
+    element = ElementTree.Element("filter", name="Conditional Face Selection")
+    ElementTree.SubElement(element, "Param", type="RichString", name="condSelect", value=condition)
+    return element
+
+
+def script(path, *steps):
+    text = "".join(ElementTree.tostring(each, encoding="unicode") for each in steps)
+    path.write_text(f"<!DOCTYPE FilterScript>\n<FilterScript>\n{text}\n</FilterScript>\n")
     return path
 
 
@@ -76,7 +68,7 @@ def euler(vertices, triangles):
 @pytest.mark.parametrize("locale", ["C", "de_DE.UTF-8"])
 def test_ball_model(tmp_path, locale):
     write_ply(tmp_path / "in.ply", *torus())
-    code, said = server("-i", tmp_path / "in.ply", "-s", script(tmp_path / "f.mlx", "Build Ball Model"),
+    code, said = server("-i", tmp_path / "in.ply", "-s", script(tmp_path / "f.mlx", step("Build Ball Model", spacing=-1)),
                         "-o", tmp_path / "out.ply", "-m", "vq", "vc", "vr", locale=locale)
     assert code == 0, said
     assert "inner balls" in said and "radius from 1." in said
@@ -91,7 +83,7 @@ def test_ball_model(tmp_path, locale):
 def test_closed_surface_from_bare_points(tmp_path, method):
     write_ply(tmp_path / "in.ply", torus(jitter=0.3)[0])
     code, said = server("-i", tmp_path / "in.ply",
-                        "-s", script(tmp_path / "f.mlx", "Rebuild Closed Surface", method=method),
+                        "-s", script(tmp_path / "f.mlx", step("Rebuild Closed Surface", method=method)),
                         "-o", tmp_path / "out.ply", "-m", "vn", "vq", "vr")
     assert code == 0, said
     assert "genus 1" in said
@@ -109,7 +101,7 @@ def test_closed_surface_from_bare_points(tmp_path, method):
 def test_thickness_of_the_layer_itself(tmp_path):
     points, triangles = torus()
     write_ply(tmp_path / "in.ply", points, triangles)
-    code, said = server("-i", tmp_path / "in.ply", "-s", script(tmp_path / "f.mlx", "Compute Thickness"),
+    code, said = server("-i", tmp_path / "in.ply", "-s", script(tmp_path / "f.mlx", step("Compute Thickness", spacing=-1)),
                         "-o", tmp_path / "out.ply", "-m", "vq", "vr", "vc")
     assert code == 0, said
     assert "Quality from " in said
@@ -122,10 +114,7 @@ def test_thickness_of_the_layer_itself(tmp_path):
 def test_filters_in_one_script(tmp_path):
     """What one adds, the next works on; layers are saved by their number."""
     write_ply(tmp_path / "in.ply", torus()[0])
-    first = script(tmp_path / "a.mlx", "Rebuild Closed Surface").read_text()
-    second = script(tmp_path / "b.mlx", "Compute Thickness").read_text()
-    both = first.replace("</FilterScript>", second[second.index(" <filter"):])
-    (tmp_path / "f.mlx").write_text(both)
+    script(tmp_path / "f.mlx", step("Rebuild Closed Surface"), step("Compute Thickness"))
     code, said = server("-i", tmp_path / "in.ply", "-s", tmp_path / "f.mlx", "-o", tmp_path / "first.ply", "-l", "0",
                         "-o", tmp_path / "current.ply", "-l", "c", "-m", "vq", "vr")
     assert code == 0, said
@@ -135,9 +124,85 @@ def test_filters_in_one_script(tmp_path):
     np.testing.assert_allclose(vertices["quality"], 2, atol=0.05)
 
 
+def box(spacing=0.1):
+    """Bare points on a box of 4 x 2 x 1, shaken within its faces."""
+    size, random = np.array([4, 2, 1]), np.random.default_rng(1)
+    at = np.stack(np.meshgrid(*[np.arange(n + 1) for n in np.rint(size / spacing).astype(int)]), axis=-1).reshape(-1, 3)
+    wall = (at == 0) | (at == np.rint(size / spacing))
+    at, wall = at[wall.any(axis=1)], wall[wall.any(axis=1)]
+    shaken = at + np.where(~wall & (wall.sum(axis=1) == 1)[:, None], random.uniform(-0.3, 0.3, at.shape), 0)
+    return shaken * spacing
+
+
+def test_parts_of_an_axis_are_removed_in_one_script(tmp_path):
+    """The axis that one filter leaves is known to the next; MeshLab's own filter selects a part of it."""
+    write_ply(tmp_path / "in.ply", box())
+    whole = script(tmp_path / "a.mlx", step("Build Medial Axis"))
+    code, said = server("-i", tmp_path / "in.ply", "-s", whole, "-o", tmp_path / "axis.ply", "-m", "vq", "vr", "fc", "fq")
+    assert code == 0, said
+    assert "13 parts: 12 of level 1, 1 of level 2." in said
+    balls, triangles, faces = read_ply(tmp_path / "axis.ply", with_faces=True)
+    deep = np.minimum.reduce([balls["x"], 4 - balls["x"], balls["y"], 2 - balls["y"], balls["z"], 1 - balls["z"]])
+    np.testing.assert_allclose(balls["radius"], deep, atol=0.03)
+    parts, counts = np.unique(faces["quality"], return_counts=True)
+    assert parts.tolist() == list(range(13))
+    colors = np.stack([faces["red"], faces["green"], faces["blue"]], axis=-1)
+    assert len(np.unique(colors, axis=0)) == 13
+    centers = np.stack([balls[c][triangles].mean(axis=1) for c in "xyz"], axis=-1)
+    middle = faces["quality"][np.linalg.norm(centers - (2, 1, 0.5), axis=1).argmin()]
+    chosen = int(next(p for p in parts if p != middle))
+
+    removed = script(tmp_path / "b.mlx", step("Build Medial Axis"), select(f"fq == {chosen}"), step("Remove Selected Parts"))
+    code, said = server("-i", tmp_path / "in.ply", "-s", removed, "-o", tmp_path / "surface.ply", "-l", "2",
+                        "-o", tmp_path / "rest.ply", "-l", "3", "-m", "fq")
+    assert code == 0, said
+    assert "1 part removed." in said
+    surface, shell = read_ply(tmp_path / "surface.ply")
+    assert closed(shell) and euler(surface, shell) == 2
+    _, rest = read_ply(tmp_path / "rest.ply")
+    assert len(rest) == len(triangles) - counts[chosen]
+
+    locked = script(tmp_path / "c.mlx", step("Build Medial Axis"), select(f"fq == {int(middle)}"), step("Remove Selected Parts"))
+    code, said = server("-i", tmp_path / "in.ply", "-s", locked)
+    assert code != 0
+    assert f"Remove Selected Parts: Part {int(middle)} stays: no border" in said
+
+
+def test_an_axis_from_a_file_is_not_known(tmp_path):
+    write_ply(tmp_path / "in.ply", *torus())
+    code, said = server("-i", tmp_path / "in.ply", "-s", script(tmp_path / "f.mlx", select("1 == 1"), step("Remove Selected Parts")))
+    assert code != 0
+    assert "This layer is not a medial axis" in said and "Build Medial Axis" in said
+
+
+def test_simplified_shape(tmp_path):
+    write_ply(tmp_path / "in.ply", torus(jitter=0.3)[0])
+    simplify = step("Simplify Shape", measure=1, threshold=0.05, iterations=3, axis=True)
+    code, said = server("-i", tmp_path / "in.ply", "-s", script(tmp_path / "f.mlx", simplify),
+                        "-o", tmp_path / "axis.ply", "-l", "1", "-o", tmp_path / "out.ply", "-l", "2", "-m", "vr")
+    assert code == 0, said
+    assert "Pruned by volume up to 0.05, 3 times: " in said and "genus 1" in said
+    vertices, triangles = read_ply(tmp_path / "out.ply")
+    assert closed(triangles) and euler(vertices, triangles) == 0
+    axis, _ = read_ply(tmp_path / "axis.ply")
+    assert 0 < len(axis) < len(vertices)
+
+
+def test_colour_by_part(tmp_path):
+    write_ply(tmp_path / "in.ply", box())
+    by_level = step("Colour by Part", by=1, iterations=0, triangle_iterations=0)
+    code, said = server("-i", tmp_path / "in.ply", "-s", script(tmp_path / "f.mlx", by_level),
+                        "-o", tmp_path / "out.ply", "-m", "vq", "vc")
+    assert code == 0, said
+    assert "The vertices belong to 13 parts." in said
+    vertices, _ = read_ply(tmp_path / "out.ply")
+    assert set(vertices["quality"].tolist()) == {1, 2}
+    assert len({(v["red"], v["green"], v["blue"]) for v in vertices}) == 2
+
+
 def test_failure_says_why(tmp_path):
     write_ply(tmp_path / "in.ply", [(0, 0, 0), (1, 0, 0), (0, 1, 0)])
-    code, said = server("-i", tmp_path / "in.ply", "-s", script(tmp_path / "f.mlx", "Rebuild Closed Surface"),
+    code, said = server("-i", tmp_path / "in.ply", "-s", script(tmp_path / "f.mlx", step("Rebuild Closed Surface")),
                         "-o", tmp_path / "out.ply")
     assert code != 0
     assert "Rebuild Closed Surface: 3 points are too few" in said
@@ -147,7 +212,7 @@ def test_failure_says_why(tmp_path):
 def test_parameter_out_of_its_range_says_so(tmp_path):
     write_ply(tmp_path / "in.ply", torus()[0])
     code, said = server("-i", tmp_path / "in.ply",
-                        "-s", script(tmp_path / "f.mlx", "Rebuild Closed Surface", method=7),
+                        "-s", script(tmp_path / "f.mlx", step("Rebuild Closed Surface", method=7)),
                         "-o", tmp_path / "out.ply")
     assert code != 0
     assert "The parameter method is 7" in said
