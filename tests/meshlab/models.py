@@ -21,6 +21,16 @@ def torus(ring=3.0, tube=1.0, n=96, m=48, vary=0.0, jitter=0.0):
     return points, triangles
 
 
+def box(spacing=0.1):
+    """Bare points on a box of 4 x 2 x 1, shaken within its faces."""
+    size, random = np.array([4, 2, 1]), np.random.default_rng(1)
+    at = np.stack(np.meshgrid(*[np.arange(n + 1) for n in np.rint(size / spacing).astype(int)]), axis=-1).reshape(-1, 3)
+    wall = (at == 0) | (at == np.rint(size / spacing))
+    at, wall = at[wall.any(axis=1)], wall[wall.any(axis=1)]
+    shaken = at + np.where(~wall & (wall.sum(axis=1) == 1)[:, None], random.uniform(-0.3, 0.3, at.shape), 0)
+    return shaken * spacing
+
+
 def write_ply(path, points, triangles=()):
     """Binary: MeshLab reads the numbers of a text file by the locale."""
     faces = np.empty(len(triangles), [("size", "u1"), ("corners", "<i4", 3)])

@@ -10,7 +10,7 @@ from xml.etree import ElementTree
 import numpy as np
 import pytest
 
-from models import read_ply, torus, write_ply
+from models import box, read_ply, torus, write_ply
 
 SERVER = pathlib.Path(os.environ["VBM_MESHLAB_TREE"]) / "usr/bin/meshlabserver"
 if not SERVER.exists():
@@ -122,16 +122,6 @@ def test_filters_in_one_script(tmp_path):
     vertices, triangles = read_ply(tmp_path / "current.ply")
     assert len(none) == 0 and closed(triangles)
     np.testing.assert_allclose(vertices["quality"], 2, atol=0.05)
-
-
-def box(spacing=0.1):
-    """Bare points on a box of 4 x 2 x 1, shaken within its faces."""
-    size, random = np.array([4, 2, 1]), np.random.default_rng(1)
-    at = np.stack(np.meshgrid(*[np.arange(n + 1) for n in np.rint(size / spacing).astype(int)]), axis=-1).reshape(-1, 3)
-    wall = (at == 0) | (at == np.rint(size / spacing))
-    at, wall = at[wall.any(axis=1)], wall[wall.any(axis=1)]
-    shaken = at + np.where(~wall & (wall.sum(axis=1) == 1)[:, None], random.uniform(-0.3, 0.3, at.shape), 0)
-    return shaken * spacing
 
 
 def test_parts_of_an_axis_are_removed_in_one_script(tmp_path):

@@ -17,7 +17,7 @@ import time
 import numpy as np
 import pytest
 
-from models import torus, write_ply
+from models import box, torus, write_ply
 
 MESHLAB = pathlib.Path(os.environ["VBM_MESHLAB_TREE"]) / "usr/bin/meshlab"
 TOOLS = ["Xvfb", "openbox", "xdotool", "import"]
@@ -92,9 +92,9 @@ class Window:
         assert self.process.poll() is None, f"MeshLab ended with {self.process.returncode}: {self.log.read_text()}"
         return self.log.read_text(errors="replace")
 
-    def open_dialog(self, filter_name):
+    def open_dialog(self, filter_name, group="Voronoi Balls: "):
         """By the search box: Ctrl+F, the name, the first of what it finds."""
-        title = f"^Voronoi Balls: {filter_name}$"
+        title = f"^{group}{filter_name}$"
         for _ in range(3): # on a busy machine the box can miss a key
             self.screen.do("windowactivate", self.main, "windowfocus", self.main)
             time.sleep(0.5)
@@ -112,12 +112,18 @@ class Window:
             self.screen.do("key", "Escape")
         raise AssertionError(f"no dialog {filter_name}")
 
-    def press_apply(self, dialog, filter_name):
+    def press_apply(self, dialog, filter_name, group="Voronoi Balls: "):
         """Return does not press it in 2020.09. It is the dialog's last button."""
         x, y, width, height = self.screen.geometry(dialog)
         self.screen.click(x + 0.7 * width, y + height - 22)
-        wait(lambda: re.search(f"Applied filter:? Voronoi Balls: {filter_name}|Filter failed", self.said()), "the filter")
+        wait(lambda: re.search(f"Applied filter:? {group}{filter_name}|Filter failed", self.said()), "the filter")
         time.sleep(2)
+
+    def close(self, dialog):
+        """By the button beside Apply."""
+        x, y, width, height = self.screen.geometry(dialog)
+        self.screen.click(x + 0.25 * width, y + height - 22)
+        time.sleep(1)
 
 
 def coloured(picture):
@@ -141,12 +147,18 @@ def shots():
 
 @pytest.mark.parametrize("filter_name, says", [("Build Ball Model", "New layer: "),
                                                ("Rebuild Closed Surface", "genus 1"),
-                                               ("Compute Thickness", "Quality from ")])
+                                               ("Compute Thickness", "Quality from "),
+                                               ("Build Medial Axis", "12 of level 1, 1 of level 2"),
+                                               ("Simplify Shape", "genus 1"),
+                                               ("Colour by Part", "The vertices belong to 9 parts")])
 def test_from_the_search_box(tmp_path, shots, filter_name, says):
-    write_ply(tmp_path / "ring.ply", *torus(n=240, m=120, vary=0.5))
+    if filter_name in ("Build Medial Axis", "Colour by Part"):
+        write_ply(tmp_path / "shape.ply", box(spacing=0.05))
+    else:
+        write_ply(tmp_path / "shape.ply", *torus(n=240, m=120, vary=0.5))
     with contextlib.ExitStack() as stack:
         screen = Screen(stack)
-        window = Window(stack, screen, tmp_path / "ring.ply", tmp_path / "log")
+        window = Window(stack, screen, tmp_path / "shape.ply", tmp_path / "log")
         name = "meshlab_" + filter_name.lower().replace(" ", "_")
         dialog = window.open_dialog(filter_name)
         before = coloured(screen.photograph(shots / f"{name}_before.png"))
@@ -154,8 +166,23 @@ def test_from_the_search_box(tmp_path, shots, filter_name, says):
         after = coloured(screen.photograph(shots / f"{name}.png"))
         said = window.said()
     assert says in said and "Filter failed" not in said
-    if filter_name != "Rebuild Closed Surface": # which has no colours of its own
+    if filter_name in ("Build Ball Model", "Compute Thickness"): # which colour from red to blue
         assert after[0] > before[0] + 100 and after[1] > before[1] + 100, (before, after)
+
+
+def test_parts_are_removed_where_faces_are_selected(tmp_path, shots):
+    write_ply(tmp_path / "box.ply", box())
+    ours = "Voronoi Balls: "
+    with contextlib.ExitStack() as stack:
+        window = Window(stack, Screen(stack), tmp_path / "box.ply", tmp_path / "log")
+        # MeshLab's own filter selects faces at the rim of each outer sheet.
+        for filter_name, group in [("Build Medial Axis", ours), ("Select Border", ""), ("Remove Selected Parts", ours)]:
+            dialog = window.open_dialog(filter_name, group)
+            window.press_apply(dialog, filter_name, group)
+            window.close(dialog)
+            window.screen.photograph(shots / f"meshlab_{filter_name.lower().replace(' ', '_')}_in_turn.png")
+        said = window.said()
+    assert "12 of level 1" in said and "12 parts removed." in said and "genus 0" in said
 
 
 if __name__ == "__main__":
