@@ -211,6 +211,13 @@ def test_exact_volume_of_balls():
     assert axis.part_ball_volumes().sum() < shares.sum()
 
 
+def test_the_last_sheet_of_a_box_has_a_border():
+    axis = vbm.build(box_points(0.1, 6)).medial_axis()
+    axis.remove([i for i, part in enumerate(axis.parts) if part.level == 1])
+    assert [(part.level, part.locked) for part in axis.parts] == [(1, "last")]
+    assert betti(axis) == [1, 0, 0]
+
+
 def test_a_torus_keeps_its_tunnel():
     model = vbm.build(torus_points())
     axis = model.medial_axis()

@@ -86,7 +86,7 @@ private:
         for (int32_t e : cells_.triangle_edges[t]) {
           Use &use = use_[e];
           join(use.part, part);
-          if (use.count == 1) out_.list[part].level = 1;
+          if (triangles_at(e) == 1) out_.list[part].level = 1; // a border, seam or not
           if (use.count != 2) continue;
           const auto next = int32_t(use.sum - uint32_t(t));
           if (out_.of_triangle[next] >= 0) continue;
