@@ -19,6 +19,7 @@ struct PartsRemoved {
   vbm::Axis axis;                 // null if nothing could go
   std::vector<std::int32_t> gone; // of the parts chosen
   std::vector<std::int32_t> left; // the others
+  std::vector<std::int32_t> why;  // for each of those, the vbm_lock it has now
 };
 
 // Takes off those of the parts that can go.

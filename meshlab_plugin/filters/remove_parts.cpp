@@ -24,21 +24,20 @@ std::vector<Param> params() {
 
 // "Part 3 stays: a tunnel or cavity of the shape would be lost." One by one for a few, else by
 // reason.
-std::vector<std::string> stays(const vbm::Axis &axis, const std::vector<std::int32_t> &left) {
+std::vector<std::string> stays(const PartsRemoved &result) {
   const auto reason = [](std::int32_t lock) {
     return std::string(lock == VBM_LOCK_NONE ? "the others selected hold the shape's topology"
                                              : lock_reason(lock));
   };
-  const auto list = axis.parts();
   constexpr std::size_t kFew = 8;
   std::vector<std::string> lines;
-  if (left.size() <= kFew) {
-    for (std::int32_t part : left)
-      lines.push_back("Part " + count(part) + " stays: " + reason(list[part].lock) + ".");
+  if (result.left.size() <= kFew) {
+    for (std::size_t i = 0; i < result.left.size(); ++i)
+      lines.push_back("Part " + count(result.left[i]) + " stays: " + reason(result.why[i]) + ".");
     return lines;
   }
   std::map<std::int32_t, std::uint64_t> locks;
-  for (std::int32_t part : left) ++locks[list[part].lock];
+  for (std::int32_t lock : result.why) ++locks[lock];
   for (const auto &[lock, parts] : locks)
     lines.push_back(count(parts, "selected part stays", "selected parts stay") + ": " +
                     reason(lock) + ".");
@@ -67,11 +66,11 @@ Outcome run(const Task &task) {
   const bool wanted = values.flag("surface");
   progress.stage(context, 0, wanted ? 30 : 99);
   PartsRemoved result = remove_parts(context, kept->axis, parts);
-  if (result.gone.empty()) throw Failure(joined(stays(kept->axis, result.left)));
+  if (result.gone.empty()) throw Failure(joined(stays(result)));
 
   Outcome outcome;
   outcome.log.push_back(count(result.gone.size(), "part", "parts") + " removed.");
-  for (std::string &line : stays(kept->axis, result.left)) outcome.log.push_back(std::move(line));
+  for (std::string &line : stays(result)) outcome.log.push_back(std::move(line));
   const std::string name = without_axis(layer.name);
   if (wanted) {
     progress.stage(context, 30, 99);
