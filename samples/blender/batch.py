@@ -21,7 +21,7 @@ import bpy
 import numpy as np
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
-from mesh_files import SUFFIXES, MeshFileError, read, write_ply  # noqa: E402
+from mesh_files import MeshFileError, is_mesh_file, read, write_ply  # noqa: E402
 
 COLUMNS = ("file", "points", "faces", "balls", "triangles", "genus", "seconds", "result")
 
@@ -44,8 +44,8 @@ def arguments():
     return given
 
 
-def make_object(path):
-    points, faces = read(path)
+def make_object(path, notes):
+    points, faces = read(path, notes)
     mesh = bpy.data.meshes.new(path.stem)
     mesh.from_pydata(np.asarray(points, dtype=float).reshape(-1, 3).tolist(), [],
                      [list(face) for face in np.asarray(faces).tolist()]
@@ -86,7 +86,8 @@ def write_surface(path, mesh):
 
 def process(path, target, given, row):
     """One file, start to end; fills in the row as far as it comes."""
-    obj, row["points"], row["faces"] = make_object(path)
+    row["notes"] = []
+    obj, row["points"], row["faces"] = make_object(path, row["notes"])
     build = {"ignore_faces": given.points_only, "spacing": given.spacing}
     activate(obj)
     bpy.ops.vbm.build_balls(**build)
@@ -102,7 +103,7 @@ def process(path, target, given, row):
     write_surface(target.with_name(target.name + ".ply"), surface.data)
     if given.blend:
         bpy.ops.wm.save_as_mainfile(filepath=str(target) + ".blend", copy=True, check_existing=False)
-    row["notes"] = list(balls["vbm_notes"])
+    row["notes"] += list(balls["vbm_notes"])
     count = len(row["notes"])
     row["result"] = "ok" + (f", {count} note{'s' * (count > 1)} above" if count else "")
 
@@ -148,9 +149,9 @@ def main():
     if addon_utils.enable("vbm_addon", default_set=False) is None:
         print("The add-on vbm_addon is not there: source build/release/env.sh first")
         return 2
-    paths = sorted(path for path in given.folder.iterdir() if path.suffix.lower() in SUFFIXES)
+    paths = sorted(path for path in given.folder.iterdir() if is_mesh_file(path))
     if not paths:
-        print(f"No {', '.join(SUFFIXES)} file in {given.folder}")
+        print(f"No OFF, OBJ, PLY or STL file in {given.folder}")
         return 2
     given.out.mkdir(parents=True, exist_ok=True)
     rows, stems = [], [path.stem for path in paths]

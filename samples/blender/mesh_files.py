@@ -24,7 +24,8 @@ def _numbers(words, kind, where):
         return [kind(word) for word in words]
     except ValueError:
         bad = next(word for word in words if not _is(kind, word))
-        raise MeshFileError(f"{where}: {bad[:20]!r} is not a number") from None
+        comma = ", it has a decimal comma" if _is(float, bad.replace(",", ".", 1)) else ""
+        raise MeshFileError(f"{where}: {bad[:20]!r} is not a number{comma}") from None
 
 
 def _is(kind, word):
@@ -35,19 +36,21 @@ def _is(kind, word):
     return True
 
 
-def _check_faces(faces, count, first=0):
+def _check_faces(faces, count, first=0, lines=None):
     for number, face in enumerate(faces):
         for index in face:
             if not 0 <= index < count:
-                raise MeshFileError(f"face {number} has vertex {index + first}, but the file has "
-                                    f"{count} vertices")
+                where = f"line {lines[number]}: " if lines else ""
+                raise MeshFileError(f"{where}face {number} has vertex {index + first}, but the file "
+                                    f"has {count} vertices")
 
 
-# ---- Readers: bytes -> (points n x 3, list of faces) -------------------------------------------------
+# ---- Readers: bytes, list of remarks to add to -> (points n x 3, list of faces) -------------------------------------------------
 
 
-def _read_off(data):
-    rows = ((number, line.split("#")[0].split()) for number, line in enumerate(_lines(data), 1))
+def _read_off(data, notes):
+    lines = _lines(data)
+    rows = ((number, line.split("#")[0].split()) for number, line in enumerate(lines, 1))
     rows = ((number, words) for number, words in rows if words)
     number, words = next(rows, (1, [""]))
     if words[0] != "OFF":
@@ -61,27 +64,31 @@ def _read_off(data):
     if 2 * (counts[0] + counts[1]) > len(data):
         raise MeshFileError(f"line {number}: the file is too short for {counts[0]} vertices and "
                             f"{counts[1]} faces")
-    points, faces = [], []
-    for _ in range(counts[0]):
+    points, faces, at = [], [], []
+    for index in range(counts[0]):
         number, words = next(rows, (None, []))
         if len(words) < 3:
-            raise MeshFileError("the file ends before its last vertex" if number is None
-                                else f"line {number}: a vertex needs three numbers")
+            raise MeshFileError(f"line {len(lines)}: the file ends before vertex {index} of {counts[0]}"
+                                if number is None else f"line {number}: a vertex needs three numbers")
         points.append(_numbers(words[:3], float, f"line {number}"))
-    for _ in range(counts[1]):
+    for index in range(counts[1]):
         number, words = next(rows, (None, []))
         if number is None:
-            raise MeshFileError("the file ends before its last face")
+            raise MeshFileError(f"line {len(lines)}: the file ends before face {index} of {counts[1]}")
         size = _numbers(words[:1], int, f"line {number}")[0]
         if size < 0 or len(words) < size + 1:
             raise MeshFileError(f"line {number}: the face is shorter than it says")
         faces.append(_numbers(words[1:size + 1], int, f"line {number}"))
-    _check_faces(faces, len(points))
+        at.append(number)
+    number, _ = next(rows, (None, []))
+    if number is not None:
+        notes.append(f"line {number}: what comes after the last face is left out")
+    _check_faces(faces, len(points), lines=at)
     return points, faces
 
 
-def _read_obj(data):
-    points, faces, seen = [], [], False
+def _read_obj(data, _notes):
+    points, faces, at, seen = [], [], [], False
     for number, line in enumerate(_lines(data.replace(b"\\\n", b" ")), 1):
         word, *rest = line.split("#")[0].split() or [""]
         seen = seen or word in ("v", "f", "o", "g", "vn", "vt", "mtllib", "usemtl", "s", "l", "p")
@@ -96,13 +103,14 @@ def _read_obj(data):
             if 0 in corners:
                 raise MeshFileError(f"line {number}: vertices are counted from 1, not 0")
             faces.append([c - 1 if c > 0 else len(points) + c for c in corners])
+            at.append(number)
     if not seen:
         raise MeshFileError("not a Wavefront OBJ file")
-    _check_faces(faces, len(points), first=1)
+    _check_faces(faces, len(points), first=1, lines=at)
     return points, faces
 
 
-def _read_stl(data):
+def _read_stl(data, _notes):
     count = int.from_bytes(data[80:84], "little") if len(data) >= 84 else -1
     if len(data) == 84 + 50 * count:
         rows = np.frombuffer(data, offset=84, count=count, dtype=[
@@ -132,6 +140,10 @@ _PLY_TYPES = {"char": "i1", "uchar": "u1", "short": "i2", "ushort": "u2", "int":
               "uint16": "u2", "int32": "i4", "uint32": "u4", "float32": "f4", "float64": "f8"}
 
 
+#: Bytes within which a header that has no end is looked through for the line where it stops.
+_LONGEST_HEADER = 100_000
+
+
 def _ply_header(data):
     """(format, elements, where the data begin); an element is (name, count, properties)."""
     end = data.find(b"end_header")
@@ -139,7 +151,7 @@ def _ply_header(data):
         raise MeshFileError("not a PLY file: it does not begin with ply")
     newline = data.find(b"\n", end)
     if end < 0 or newline < 0:
-        raise MeshFileError("the header has no end")
+        raise MeshFileError(f"line {len(_lines(data[:_LONGEST_HEADER]))}: the header has no end")
     order, elements = None, []
     for number, line in enumerate(_lines(data[:end]), 1):
         words = line.split()
@@ -165,7 +177,8 @@ class _Binary:
     def take(self, kind, count, what):
         kind = np.dtype(kind).newbyteorder(self.order)
         if count < 0 or self.place + count * kind.itemsize > len(self.data):
-            raise MeshFileError(f"the file ends within {what}")
+            raise MeshFileError(f"byte {self.place}: the file of {len(self.data)} bytes ends within "
+                                f"{what}")
         values = np.frombuffer(self.data, kind, count, self.place)
         self.place += count * kind.itemsize
         return values
@@ -180,7 +193,7 @@ class _Ascii:
         width = len(kind.names) if kind.names else 1
         words = self.words[self.place:self.place + count * width] if count >= 0 else []
         if count < 0 or len(words) < count * width:
-            raise MeshFileError(f"the file ends within {what}")
+            raise MeshFileError(f"number {len(self.words)} of the data: the file ends within {what}")
         self.place += count * width
         try:
             values = np.array(words, dtype=np.float64)
@@ -194,7 +207,7 @@ class _Ascii:
         return rows
 
 
-def _read_ply(data):
+def _read_ply(data, _notes):
     order, elements, begin = _ply_header(data)
     reader = (_Binary if order else _Ascii)(data, begin, order)
     points, faces = np.zeros((0, 3)), []
@@ -218,15 +231,29 @@ def _read_ply(data):
 
 
 _READERS = {".off": _read_off, ".obj": _read_obj, ".ply": _read_ply, ".stl": _read_stl}
-SUFFIXES = tuple(_READERS)
+_PACKED = (".gz", ".bz2", ".xz", ".zst", ".zip")
 
 
-def read(path):
-    """(points, faces) of a mesh file; faces is a sequence of index sequences, empty for bare points."""
+def is_mesh_file(path):
+    """Whether its name is that of a mesh file, or of a compressed one, which read() refuses."""
+    suffixes = [suffix.lower() for suffix in Path(path).suffixes[-2:]]
+    if suffixes and suffixes[-1] in _PACKED:
+        suffixes.pop()
+    return bool(suffixes) and suffixes[-1] in _READERS
+
+
+def read(path, notes=None):
+    """(points, faces) of a mesh file; faces is a sequence of index sequences, empty for bare points.
+
+    To the list `notes` is added what there is to say about a file that is read all the same.
+    """
+    suffix = Path(path).suffix.lower()
+    if suffix in _PACKED:
+        raise MeshFileError("the file is compressed: unpack it first")
     data = Path(path).read_bytes()
     if not data:
         raise MeshFileError("the file is empty")
-    return _READERS[Path(path).suffix.lower()](data)
+    return _READERS[suffix](data, [] if notes is None else notes)
 
 
 def write_ply(path, points, triangles, **columns):

@@ -60,17 +60,21 @@ def test_a_folder_of_good_and_bad(tmp_path):
     (meshes / "points.obj").write_text(obj(round_points, []))
     (meshes / "good.obj").write_text(obj(ball_points, ball_faces))
     (meshes / "notes.txt").write_text("not a mesh")
+    (meshes / "more.off").write_text(off(ball_points, ball_faces) + "and so on\n")
+    (meshes / "packed.obj.gz").write_bytes(b"\x1f\x8b\x08")
     code, printed = batch(meshes, out, "--blend")
     assert code == 0, printed
     table = rows(printed)
-    assert len(table) == 6
-    assert "4 of 6 files worked" in printed
+    assert len(table) == 8
+    assert "5 of 8 files worked" in printed
+    assert "FAILED: the file is compressed" in table["packed.obj.gz"]
+    assert "what comes after the last face is left out" in printed and " ok" in table["more.off"]
     assert "FAILED: " in table["truncated.off"] and "line" in table["truncated.off"]
     assert "vertex 5 is not finite" in table["not finite.off"]
     assert table["good.off"].split()[1:3] == ["1152", "1152"]
     assert " ok" in table["points.obj"]
     assert sorted(path.name for path in out.iterdir()) == sorted(
-        name + suffix for name in ("good.off", "good.obj", "it's \"quoted\" äöü 升", "points")
+        name + suffix for name in ("good.off", "good.obj", "more", "it's \"quoted\" äöü 升", "points")
         for suffix in (".ply", ".blend"))
     for name, genus in (("good.off", 1), ("good.obj", 0), ("points", 1)):
         points, faces = mesh_files.read(out / f"{name}.ply")
@@ -139,19 +143,21 @@ def test_reading(tmp_path, name):
 
 
 BAD = {
-    "short.off": (off(*TETRAHEDRON)[:-9].encode(), "ends before|shorter"),
-    "comma.obj": (b"v 0 0 0\nv 1,5 0 0\n", "line 2: '1,5' is not a number"),
+    "short.off": (off(*TETRAHEDRON)[:-9].encode(), "line 9: the file ends before face 3 of 4"),
+    "shorter.off": (off(*TETRAHEDRON)[:-12].encode(), "line 9: the face is shorter"),
+    "comma.obj": (b"v 0 0 0\nv 1,5 0 0\n", "line 2: '1,5' is not a number, it has a decimal comma"),
     "zero.obj": (obj(*TETRAHEDRON).replace("f 1", "f 0").encode(), "counted from 1"),
-    "range.off": (off(TETRAHEDRON[0], [(0, 1, 9)]).encode(), "face 0 has vertex 9"),
+    "range.off": (off(TETRAHEDRON[0], [(0, 1, 9)]).encode(), "line 7: face 0 has vertex 9"),
     "counts.off": (b"OFF\n4000000000 4 0\n0 0 0\n", "too short"),
     "negative.off": (b"OFF\n-4 4 0\n", "line 2"),
     "picture.off": (b"\x89PNG\r\n\x1a\n" + bytes(range(256)), "not an OFF file"),
     "object.obj": (bytes([0x64, 0x86, 3, 0]) + bytes(range(256)), "not a Wavefront OBJ"),
     "short.stl": (stl(1000000), "triangles need"),
-    "short.ply": (ply("<", "binary_little_endian")[:-3], "ends within face 3"),
+    "short.ply": (ply("<", "binary_little_endian")[:-3], "byte .*ends within face 3"),
     "bomb.ply": (ply("<", "binary_little_endian").replace(b"vertex 4", b"vertex 400000000"),
                  "ends within vertex"),
-    "endless.ply": (b"ply\nformat ascii 1.0\nelement vertex 3\n", "no end"),
+    "endless.ply": (b"ply\nformat ascii 1.0\nelement vertex 3\n", "line 4: .*no end"),
+    "packed.off.gz": (b"\x1f\x8b\x08", "compressed"),
     "empty.off": (b"", "empty"),
 }
 

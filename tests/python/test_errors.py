@@ -85,6 +85,12 @@ def test_flat_points():
     assert isinstance(caught.value, RuntimeError) and caught.value.status == 3
 
 
+def test_flat_mesh():
+    """Samples on its faces are not counted as points."""
+    with pytest.raises(vbm.DegenerateError, match="^4 points lie in one plane"):
+        vbm.build([(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0)], faces=[(0, 1, 2, 3)])
+
+
 def test_empty_lists():
     with pytest.raises(vbm.DegenerateError):
         vbm.build([])

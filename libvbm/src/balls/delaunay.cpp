@@ -150,7 +150,7 @@ static std::vector<int32_t> insertion_order(std::size_t count) {
 void check_three_dimensional(const std::vector<Vec3> &points, uint64_t given) {
   const auto fail = [&](const char *what) {
     std::string message = std::to_string(given) + (given == 1 ? " point" : " points");
-    if (points.size() != given) message += " (" + std::to_string(points.size()) + " different)";
+    if (points.size() < given) message += " (" + std::to_string(points.size()) + " different)";
     throw Error(VBM_ERROR_DEGENERATE,
                 message + " " + what + "; at least 4 that span three dimensions are needed");
   };
