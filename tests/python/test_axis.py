@@ -270,3 +270,25 @@ def test_progress_and_cancel():
     assert seen and [f for f, _ in seen] == sorted(f for f, _ in seen)
     with pytest.raises(vbm.Cancelled):
         model.medial_axis(progress=lambda fraction, stage: True)
+
+
+def test_bumps_too_small_for_a_part_go_with_the_first_pruning():
+    voxel = 0.05
+    grid = np.arange(-1.3, 1.3, voxel)
+    at = np.stack(np.meshgrid(grid, grid, grid, indexing="ij"), axis=-1)
+    ball = 1 - np.linalg.norm(at, axis=-1)
+    bumps = [0.09 - np.linalg.norm(at - center, axis=-1) for center in np.eye(3)]
+    model = vbm.build_volume(np.maximum.reduce([ball, *bumps]), 0.0, voxel, (-1.3,) * 3)
+    axis = model.medial_axis()
+
+    def farthest():
+        return np.linalg.norm(axis.surface().vertices, axis=1).max()
+
+    assert farthest() > 1.07
+    kept = axis.kept_balls.sum()
+    axis.prune(volume=0.01)
+    assert axis.kept_balls.sum() < kept and axis.report.volume < 1
+    assert farthest() < 1.02
+    assert (axis.surface().report.components, axis.surface().report.genus) == (1, 0)
+    axis.undo()
+    assert axis.kept_balls.sum() == kept and farthest() > 1.07

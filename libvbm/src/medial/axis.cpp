@@ -36,6 +36,32 @@ std::vector<double> significance(const Axis &axis, int32_t measure,
   return out;
 }
 
+/// Twigs that are not more significant than the threshold go; no cell of the axis goes with them,
+/// so that its topology cannot change.
+void prune_twigs(Axis &axis, const vbm_prune_options &options, Progress &progress) {
+  const std::vector<Twig> &twigs = axis.cells->twigs;
+  const double diagonal = axis.model->report.diagonal;
+  std::vector<double> ball_share;
+  if (options.measure == VBM_MEASURE_BALLS)
+    ball_share = sum_over_twigs(twigs, axis.ball_shares->per_ball(*axis.model, progress));
+  const auto significance = [&](std::size_t b) {
+    switch (options.measure) {
+    case VBM_MEASURE_VOLUME:
+      return twigs[b].volume;
+    case VBM_MEASURE_WIDTH:
+      return diagonal > 0 ? double(twigs[b].width) * axis.cells->unit / diagonal : 0;
+    case VBM_MEASURE_ANGLE:
+      return double(twigs[b].angle);
+    case VBM_MEASURE_BALLS:
+      return ball_share[b];
+    default:
+      return double(twigs[b].cells);
+    }
+  };
+  for (std::size_t b = 0; b < twigs.size(); ++b)
+    if (twigs[b].cells > 0 && significance(b) <= options.threshold) axis.state.twig[b] = 0;
+}
+
 /// An axis with the same cells left, and the same parts.
 Axis again(const Axis &axis) {
   Axis out;
@@ -108,6 +134,7 @@ Axis prune_axis(const Axis &from, const vbm_prune_options &options, Progress &pr
     progress.stage("volume of the balls", 0.5);
     shares = &axis.ball_shares->get(*axis.model, *axis.cells, progress);
   }
+  prune_twigs(axis, options, progress);
   for (int32_t i = 0; i < options.iterations; ++i) {
     progress.stage("pruning", 0.5 + 0.4 * (i + 1) / options.iterations);
     const std::vector<double> value = significance(axis, options.measure, shares);

@@ -43,6 +43,7 @@ public:
     join_edges();
     share_volume();
     find_balls();
+    out_.twigs = find_twigs(complex_, left_, model_, progress_);
     return std::move(out_);
   }
 

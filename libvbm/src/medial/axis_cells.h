@@ -2,7 +2,7 @@
 // The medial axis as a simplicial complex.
 #pragma once
 
-#include "medial/collapse.h"
+#include "medial/twigs.h"
 
 #include <array>
 #include <cstdint>
@@ -24,6 +24,7 @@ struct AxisCells {
   std::vector<double> width;           // per triangle: distance of its samples
   std::vector<double> volume;          // per vertex: share of the solid's tetrahedra drawn into it
   std::vector<int32_t> vertex_of_ball; // per inner ball of the model
+  std::vector<Twig> twigs;             // the same
   double unit = 1;                     // length of the unit frame's unit in the input
 };
 

@@ -273,7 +273,17 @@ AxisState whole_axis(const AxisCells &cells) {
   state.triangle.assign(cells.triangle.size(), 1);
   state.edge.assign(cells.edge.size(), 1);
   state.vertex.assign(cells.ball.size(), 1);
+  state.twig.assign(cells.twigs.size(), 1);
   return state;
+}
+
+std::vector<uint8_t> kept_balls(const AxisCells &cells, const AxisState &state) {
+  std::vector<uint8_t> kept(cells.vertex_of_ball.size());
+  for (std::size_t b = 0; b < kept.size(); ++b) {
+    const int32_t v = cells.vertex_of_ball[b];
+    kept[b] = state.twig[b] && (v < 0 || state.vertex[v]);
+  }
+  return kept;
 }
 
 AxisParts find_axis_parts(const AxisCells &cells, const AxisState &state, Progress &progress) {

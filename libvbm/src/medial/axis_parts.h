@@ -11,10 +11,14 @@
 
 namespace vbm::impl {
 
-/// What is left of an axis, one byte a cell. A border of every cell left is left too.
+/// What is left of an axis, one byte a cell, and one an inner ball of the model for
+/// its twig. A border of every cell left is left too.
 struct AxisState {
-  std::vector<uint8_t> triangle, edge, vertex;
+  std::vector<uint8_t> triangle, edge, vertex, twig;
 };
+
+/// Per inner ball of the model whether it is left: its vertex and its twig.
+std::vector<uint8_t> kept_balls(const AxisCells &cells, const AxisState &state);
 
 /// Everything.
 AxisState whole_axis(const AxisCells &cells);

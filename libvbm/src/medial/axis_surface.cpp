@@ -29,17 +29,15 @@ std::vector<uint8_t> outer_kept(const Model &model, const std::vector<uint8_t> &
   return out;
 }
 
-/// The inner balls left if the parts from number `count` on had stayed.
-std::vector<uint8_t> kept_before(const Axis &axis, std::size_t count) {
-  std::vector<uint8_t> vertex = axis.state.vertex;
+/// The inner balls left if the parts from number `count` on had stayed, and all twigs if any had.
+std::vector<uint8_t> kept_before(const Axis &axis, std::size_t count, bool twigs) {
+  AxisState state;
+  state.vertex = axis.state.vertex;
+  state.twig = axis.state.twig;
+  if (twigs) std::fill(state.twig.begin(), state.twig.end(), 1);
   for (std::size_t r = count; r < axis.removed.size(); ++r)
-    for (int32_t v : axis.removed[r].vertices) vertex[v] = 1;
-  std::vector<uint8_t> kept(axis.cells->vertex_of_ball.size());
-  for (std::size_t b = 0; b < kept.size(); ++b) {
-    const int32_t v = axis.cells->vertex_of_ball[b];
-    kept[b] = v < 0 || vertex[v];
-  }
-  return kept;
+    for (int32_t v : axis.removed[r].vertices) state.vertex[v] = 1;
+  return kept_balls(*axis.cells, state);
 }
 
 } // namespace
@@ -52,8 +50,11 @@ Surface axis_surface(const Axis &axis, const vbm_axis_surface_options &options,
   const int64_t euler = boundary.euler();
   const uint64_t components = boundary.components();
   std::size_t count = axis.removed.size();
-  for (std::size_t back = 1;; back *= 2) {
-    const std::vector<uint8_t> kept = kept_before(axis, count);
+  const std::vector<uint8_t> &twig = axis.state.twig;
+  bool twigs = std::find(twig.begin(), twig.end(), 0) == twig.end();
+  const bool all_twigs = twigs;
+  for (std::size_t back = 1;;) {
+    const std::vector<uint8_t> kept = kept_before(axis, count, twigs);
     const bool all = std::find(kept.begin(), kept.end(), 0) == kept.end();
     const std::vector<uint8_t> outer =
         options.drop_outer && !all ? outer_kept(model, kept) : std::vector<uint8_t>();
@@ -62,11 +63,19 @@ Surface axis_surface(const Axis &axis, const vbm_axis_surface_options &options,
     if (all || (surface.report.euler == euler && surface.report.components == components)) {
       if (const std::size_t taken = axis.removed.size() - count)
         surface.notes += std::to_string(taken) + " of " + std::to_string(axis.removed.size()) +
-                        " removed parts came back for the surface, whose topology would have "
-                        "changed without them\n";
+                         " removed parts came back for the surface, whose topology would have "
+                         "changed without them\n";
+      if (twigs && !all_twigs)
+        surface.notes += "Details too small to have a part came back for the surface, whose "
+                         "topology would have changed without them\n";
       return surface;
     }
-    count -= std::min(count, back);
+    if (!twigs) {
+      twigs = true; // first the details, then parts
+    } else {
+      count -= std::min(count, back);
+      back *= 2;
+    }
   }
 }
 

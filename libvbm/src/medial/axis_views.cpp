@@ -65,9 +65,13 @@ void fill_cells(Axis &axis, std::size_t pieces, Progress &progress) {
 
 void fill_balls(Axis &axis) {
   const std::vector<int32_t> &vertex = axis.cells->vertex_of_ball;
-  axis.kept.resize(vertex.size());
-  for (std::size_t b = 0; b < vertex.size(); ++b)
-    axis.kept[b] = vertex[b] < 0 || axis.state.vertex[vertex[b]];
+  axis.kept = kept_balls(*axis.cells, axis.state);
+  for (std::size_t b = 0; b < vertex.size();
+       ++b) { // whole twigs that went while their vertex is left
+    const Twig &twig = axis.cells->twigs[b];
+    const bool whole = !axis.state.twig[b] && (twig.below < 0 || axis.state.twig[twig.below]);
+    if (whole && axis.state.vertex[vertex[b]]) axis.report.volume -= twig.volume;
+  }
   axis.part_balls =
       lists_of(axis.parts.list.size(), vertex.size(), [&](std::size_t b, auto &&call) {
         if (vertex[b] >= 0 && axis.parts.of_vertex[vertex[b]] >= 0)

@@ -35,14 +35,16 @@ private:
   std::unique_ptr<const std::vector<double>> value_;
 };
 
-/// Per vertex of the axis: the share of the union's volume of the balls drawn into it. A ball's
-/// volume is that of the union's part in its power cell.
+/// Shares of the union's volume. A ball's volume is that of the union's part in its power cell.
 class BallShares {
 public:
+  /// Per inner ball of the model.
+  const std::vector<double> &per_ball(const Model &model, Progress &progress);
+  /// Per vertex of the axis: of the balls drawn into it.
   const std::vector<double> &get(const Model &model, const AxisCells &cells, Progress &progress);
 
 private:
-  Once once_;
+  Once per_ball_, per_vertex_;
 };
 
 /// Per part.

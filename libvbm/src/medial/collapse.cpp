@@ -318,6 +318,7 @@ private:
   }
 
   void find_roots() {
+    out_.parent = out_.root;
     for (std::size_t v = 0; v < out_.root.size(); ++v) {
       int32_t r = int32_t(v);
       while (out_.root[r] != r) r = out_.root[r];

@@ -16,8 +16,9 @@ struct AxisOptions {
 /// What is left of a complex (one byte a cell), and where what went has gone.
 struct Collapsed {
   std::vector<uint8_t> face, edge, vertex;
-  std::vector<uint8_t> seam; // per edge: its three samples are on three sides of the shape
-  std::vector<int32_t> root; // per vertex: the vertex it was drawn into, itself if that is left
+  std::vector<uint8_t> seam;   // per edge: its three samples are on three sides of the shape
+  std::vector<int32_t> root;   // per vertex: the vertex it was drawn into, itself if that is left
+  std::vector<int32_t> parent; // per vertex: the next one on its way there
 };
 
 Collapsed collapse(const DualComplex &complex, const Model &model, const AxisOptions &options,
