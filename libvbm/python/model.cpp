@@ -2,6 +2,7 @@
 #include "arrays.h"
 #include "bind.h"
 #include "errors.h"
+#include "options.h"
 #include "progress.h"
 #include "reports.h"
 #include "signature.h"
@@ -42,9 +43,12 @@ const char *const kSurfaceErrors =
     "Raises NoInteriorError (nothing is left inside), OutOfMemory, Cancelled";
 
 const char *const kAxisDoc =
-    "The medial axis: the Voronoi diagram inside the shape, with all that tells nothing about the "
+    "The medial axis: a Voronoi diagram inside the shape, with all that tells nothing about the "
     "shape\n"
     "collapsed away. Its topology is the shape's.\n\n"
+    "  method 'voronoi': the diagram of the samples. 'power_shape': that of the points where "
+    "three\n"
+    "         balls meet, which gives the axis of the union of the balls; slower\n"
     "  angle  degrees: a piece is axis where the two samples it is equidistant from are seen under "
     "at\n"
     "         least this angle, ...\n"
@@ -202,14 +206,19 @@ void bind_surfaces(py::class_<Model> &type) {
 }
 
 void bind_axis_of(py::class_<Model> &type) {
-  const Signature axis(
-      "medial_axis", {{"angle", "45.0", true}, {"ratio", "8.0", true}, {"progress", "None", true}},
-      true);
+  const Signature axis("medial_axis",
+                       {{"method", "'voronoi'"},
+                        {"angle", "45.0", true},
+                        {"ratio", "8.0", true},
+                        {"progress", "None", true}},
+                       true);
   type.def(
       "medial_axis",
       [axis](const Model &model, const py::args &args, const py::kwargs &kwargs) {
         const Arguments given = axis.bind(args, kwargs);
         AxisOptions options;
+        if (given.given("method"))
+          options.method = enum_value("medial_axis", "method", given["method"]);
         if (given.given("angle")) options.angle = given["angle"].cast<double>();
         if (given.given("ratio")) options.ratio = given["ratio"].cast<double>();
         return axis_to_python(run(given["progress"], [&](Context &context) {
@@ -218,9 +227,9 @@ void bind_axis_of(py::class_<Model> &type) {
       },
       axis.doc(std::string(kAxisDoc) + kProgressDoc +
                "\nReturns a MedialAxis. Raises ArgumentError, OutOfMemory, Cancelled.\nSource: "
-               "thesis 7.3; Dey, Zhao, \"Approximating the medial axis from the Voronoi "
-               "diagram\nwith "
-               "a convergence guarantee\" (2004).")
+               "thesis 7.3, 7.4; Dey, Zhao, \"Approximating the medial axis from the Voronoi "
+               "diagram\nwith a convergence guarantee\" (2004); Amenta, Kolluri, \"The medial axis "
+               "of a union of\nballs\" (2001).")
           .c_str());
 }
 

@@ -108,6 +108,13 @@ struct Setter {
 
 } // namespace
 
+int32_t enum_value(const char *operation, const char *parameter, py::handle name) {
+  for (const vbm_param &param : parameters())
+    if (!std::strcmp(param.operation, operation) && !std::strcmp(param.name, parameter))
+      return to_enum(param, name);
+  throw py::value_error(std::string("the library has no parameter ") + parameter);
+}
+
 bool is_build_option(const vbm_param &param) { return field_of(param); }
 
 BuildOptions build_options(const Arguments &arguments) {

@@ -20,6 +20,9 @@ bool is_build_option(const vbm_param &param);
 /// Options from the arguments given, the rest at their defaults.
 BuildOptions build_options(const Arguments &arguments);
 
+/// The value of an enum of the table from its name. Throws TypeError, ArgumentError.
+int32_t enum_value(const char *operation, const char *parameter, py::handle name);
+
 /// A value of the table's labels or balls, by name.
 std::string enum_name(const char *parameter, int value);
 

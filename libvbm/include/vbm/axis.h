@@ -19,24 +19,36 @@ extern "C" {
 
 typedef struct vbm_axis vbm_axis;
 
+/* How an axis is constructed. */
+typedef enum vbm_axis_method {
+  VBM_AXIS_VORONOI = 0,    /* from the Voronoi diagram of the samples                                */
+  VBM_AXIS_POWER_SHAPE = 1 /* from the power shape: the Voronoi diagram of the singular points of the
+                              model's balls (7.3.1, 7.4); slower                                     */
+} vbm_axis_method;
+
 typedef struct vbm_axis_options {
   size_t struct_size;
   double angle; /* degrees, 0 to 180, default 45: a piece of the Voronoi diagram is axis where the two
                    samples it is equidistant from are seen under at least this angle, ...            */
   double ratio; /* ... or are at least this many times farther apart than neighbouring samples;
                    default 8, at least 1                                                             */
+  int32_t method; /* vbm_axis_method; default VORONOI                                                */
 } vbm_axis_options;
 
 VBM_API void vbm_axis_options_init(vbm_axis_options *options, size_t struct_size);
 
-/* The medial axis: the Voronoi diagram inside the shape, with all that tells nothing about the shape
- * collapsed away. It has the Betti numbers of the solid (of the open interior of its tetrahedra),
+/* The medial axis: a Voronoi diagram inside the shape, with all that tells nothing about the shape
+ * collapsed away. With VORONOI it is that of the samples; with POWER_SHAPE that of the singular points,
+ * where three balls of the model's power shape meet, and of the samples: the axis of the union of the
+ * balls. Where that union has another topology than the shape, fewer singular points are used, which
+ * vbm_axis_notes() says. It has the Betti numbers of the solid (of the open interior of its tetrahedra),
  * because every step is an elementary collapse. Vertices are balls: no two share a place's cell, every
  * face is a triangle, edges that are not a triangle's are curves.
  *   options  NULL for defaults
  * Errors: ARGUMENT, MEMORY, CANCELLED.
- * Source: thesis 7.3; Dey, Zhao, "Approximating the medial axis from the Voronoi diagram with a
- * convergence guarantee" (2004), for what is kept. */
+ * Source: thesis 7.3, 7.4; Dey, Zhao, "Approximating the medial axis from the Voronoi diagram with a
+ * convergence guarantee" (2004), for what is kept; Amenta, Kolluri, "The medial axis of a union of
+ * balls" (2001), for POWER_SHAPE. */
 VBM_API vbm_status vbm_model_medial_axis(vbm_context *context, const vbm_model *model,
                                          const vbm_axis_options *options, vbm_axis **out);
 
@@ -62,7 +74,7 @@ VBM_API const char *vbm_axis_notes(const vbm_axis *axis);
 VBM_API const double *vbm_axis_vertices(const vbm_axis *axis, size_t *count);
 VBM_API const double *vbm_axis_radii(const vbm_axis *axis, size_t *count);
 /* Triangles, count x 3 vertex indices; for each the two samples it is equidistant from (count x 2,
- * samples of the model), and its part. The distance of the two samples is the feature's width there,
+ * samples of the model; with POWER_SHAPE those nearest to the two singular points), and its part. The distance of the two samples is the feature's width there,
  * and with the radius gives the object angle, 2 asin(width / (2 radius)). */
 VBM_API const int32_t *vbm_axis_triangles(const vbm_axis *axis, size_t *count);
 VBM_API const int32_t *vbm_axis_triangle_samples(const vbm_axis *axis, size_t *count);

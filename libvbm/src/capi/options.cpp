@@ -30,6 +30,7 @@ vbm_axis_options axis_defaults() {
   o.struct_size = sizeof o;
   o.angle = 45;
   o.ratio = 8;
+  o.method = VBM_AXIS_VORONOI;
   return o;
 }
 
@@ -88,6 +89,8 @@ vbm_axis_options read_options(const vbm_axis_options *options) {
   const vbm_axis_options o = read(options, axis_defaults(), "vbm_axis_options_init");
   if (!(o.angle >= 0 && o.angle <= 180)) bad_option("angle", "is outside its range 0 to 180");
   if (!(o.ratio >= 1)) bad_option("ratio", "is less than 1");
+  if (o.method < VBM_AXIS_VORONOI || o.method > VBM_AXIS_POWER_SHAPE)
+    bad_option("method", "is " + std::to_string(o.method) + ": use 0 (voronoi) or 1 (power_shape)");
   return o;
 }
 

@@ -31,6 +31,12 @@ constexpr const char *kLabelsHelps[] = {
     "The voxel nearest the ball's centre; for volumes",
     "From where the scanner stood; for range scans"};
 
+constexpr const char *kMethodNames[] = {"voronoi", "power_shape"};
+constexpr const char *kMethodLabels[] = {"Voronoi Diagram", "Power Shape"};
+constexpr const char *kMethodHelps[] = {
+    "From the Voronoi diagram of the samples: fast",
+    "From the Voronoi diagram of the balls' singular points: the axis of the balls, slower"};
+
 constexpr const char *kMeasureNames[] = {"triangles", "volume", "width", "angle", "balls"};
 constexpr const char *kMeasureLabels[] = {"Triangles", "Volume", "Width", "Angle",
                                           "Volume of Balls"};
@@ -70,6 +76,9 @@ constexpr vbm_param kParams[] = {
      "Stop with an error beyond so many Delaunay tetrahedra; 0 stands for one million plus 40 per "
      "sample",
      "", VBM_PARAM_INT, 0, nullptr, nullptr, nullptr, 0, 0, kMaxCount},
+    {sizeof(vbm_param), "medial_axis", "method", "Construction", "How the axis is constructed", "",
+     VBM_PARAM_ENUM, 2, kMethodNames, kMethodLabels, kMethodHelps, VBM_AXIS_VORONOI,
+     VBM_AXIS_VORONOI, VBM_AXIS_POWER_SHAPE},
     {sizeof(vbm_param), "medial_axis", "angle", "Object Angle",
      "A piece is axis where the two samples it is equidistant from are seen under at least this "
      "angle",

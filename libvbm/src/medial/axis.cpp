@@ -6,6 +6,7 @@
 #include "medial/axis_views.h"
 #include "medial/lock_text.h"
 #include "medial/locks.h"
+#include "medial/power_shape_axis.h"
 
 #include <algorithm>
 #include <string>
@@ -104,6 +105,15 @@ void list_stayed(Axis &axis, const std::vector<double> &value, double threshold)
   axis.notes += stayed_text(axis.stayed, axis.stayed_lock);
 }
 
+AxisCells voronoi_axis(const Model &model, const AxisOptions &options, Progress &progress) {
+  progress.stage("Voronoi diagram inside", 0.4);
+  const DualComplex complex = dual_complex(model, progress);
+  progress.stage("collapsing", 0.75);
+  const Collapsed left = collapse(complex, model, options, progress);
+  progress.stage("medial axis", 0.9);
+  return axis_cells(complex, left, model, progress);
+}
+
 } // namespace
 
 Axis medial_axis(std::shared_ptr<const Model> model, const vbm_axis_options &options,
@@ -113,12 +123,10 @@ Axis medial_axis(std::shared_ptr<const Model> model, const vbm_axis_options &opt
   AxisOptions what;
   what.angle = options.angle;
   what.ratio = options.ratio;
-  progress.stage("Voronoi diagram inside", 0.4);
-  const DualComplex complex = dual_complex(*axis.model, progress);
-  progress.stage("collapsing", 0.75);
-  const Collapsed left = collapse(complex, *axis.model, what, progress);
-  progress.stage("medial axis", 0.9);
-  axis.cells = std::make_shared<const AxisCells>(axis_cells(complex, left, *axis.model, progress));
+  axis.cells = std::make_shared<const AxisCells>(
+      options.method == VBM_AXIS_POWER_SHAPE
+          ? power_shape_axis(*axis.model, what, axis.notes, progress)
+          : voronoi_axis(*axis.model, what, progress));
   axis.state = whole_axis(*axis.cells);
   axis.ball_shares = std::make_shared<BallShares>();
   progress.stage("parts", 0.97);

@@ -42,7 +42,7 @@ public:
     out_.vertex.assign(complex_.ball.size(), 1);
     out_.root.resize(complex_.ball.size());
     for (std::size_t v = 0; v < out_.root.size(); ++v) out_.root[v] = int32_t(v);
-    measure_spacing();
+    spacing_ = options_.spacing ? *options_.spacing : sample_spacing(model_, progress_);
     weigh_faces();
     open_solids();
     count_degrees();
@@ -57,30 +57,6 @@ public:
 private:
   using Item = std::pair<double, int32_t>; // significance, cell
   using Queue = std::priority_queue<Item, std::vector<Item>, std::greater<Item>>;
-
-  /// How far apart samples are at each: the longest side of the surface's triangles there.
-  void measure_spacing() {
-    const Cells &cells = model_.cells;
-    const std::vector<Vec3> &at = model_.samples.position;
-    spacing_.assign(cells.samples, 0);
-    for (std::size_t c = 0; c < cells.size(); ++c) {
-      progress_.tick(0, 1);
-      if (!model_.inside[c]) continue;
-      for (int i = 0; i < 4; ++i) {
-        const int32_t n = cells.neighbor[c][i];
-        if (n >= 0 && model_.inside[n]) continue;
-        int32_t v[3];
-        for (int k = 0; k < 3; ++k) v[k] = cells.vertex[c][kFacet[i][k]];
-        for (int k = 0; k < 3; ++k) {
-          const int32_t a = v[k], b = v[(k + 1) % 3];
-          if (a >= cells.samples || b >= cells.samples) continue;
-          const double d = distance(at[a], at[b]);
-          spacing_[a] = std::max(spacing_[a], d);
-          spacing_[b] = std::max(spacing_[b], d);
-        }
-      }
-    }
-  }
 
   double width(int32_t a, int32_t b) const {
     return distance(model_.samples.position[a], model_.samples.position[b]);
@@ -346,6 +322,30 @@ private:
 };
 
 } // namespace
+
+std::vector<double> sample_spacing(const Model &model, Progress &progress) {
+  const Cells &cells = model.cells;
+  const std::vector<Vec3> &at = model.samples.position;
+  std::vector<double> spacing(cells.samples, 0);
+  for (std::size_t c = 0; c < cells.size(); ++c) {
+    progress.tick(0, 1);
+    if (!model.inside[c]) continue;
+    for (int i = 0; i < 4; ++i) {
+      const int32_t n = cells.neighbor[c][i];
+      if (n >= 0 && model.inside[n]) continue;
+      int32_t v[3];
+      for (int k = 0; k < 3; ++k) v[k] = cells.vertex[c][kFacet[i][k]];
+      for (int k = 0; k < 3; ++k) {
+        const int32_t a = v[k], b = v[(k + 1) % 3];
+        if (a >= cells.samples || b >= cells.samples) continue;
+        const double d = distance(at[a], at[b]);
+        spacing[a] = std::max(spacing[a], d);
+        spacing[b] = std::max(spacing[b], d);
+      }
+    }
+  }
+  return spacing;
+}
 
 Collapsed collapse(const DualComplex &complex, const Model &model, const AxisOptions &options,
                    Progress &progress) {

@@ -11,6 +11,7 @@ namespace vbm::impl {
 struct AxisOptions {
   double angle = 45; // degrees: its two samples, seen from its largest ball, are this far apart ...
   double ratio = 8;  // ... or are this many times farther apart than samples are next to them
+  const std::vector<double> *spacing = nullptr; // how far apart samples are at each; NULL: measured
 };
 
 /// What is left of a complex (one byte a cell), and where what went has gone.
@@ -20,6 +21,9 @@ struct Collapsed {
   std::vector<int32_t> root;   // per vertex: the vertex it was drawn into, itself if that is left
   std::vector<int32_t> parent; // per vertex: the next one on its way there
 };
+
+/// How far apart samples are at each: the longest side of the surface's triangles there.
+std::vector<double> sample_spacing(const Model &model, Progress &progress);
 
 Collapsed collapse(const DualComplex &complex, const Model &model, const AxisOptions &options,
                    Progress &progress);

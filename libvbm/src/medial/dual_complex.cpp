@@ -7,7 +7,6 @@
 #include "medial/dual_complex.h"
 
 #include "balls/circumcenter.h"
-#include "balls/merge.h"
 #include "core/disjoint_sets.h"
 #include "core/progress.h"
 #include "medial/pinches.h"
@@ -20,8 +19,15 @@ namespace {
 
 class Builder {
 public:
-  Builder(const Model &model, Progress &progress)
-      : model_(model), cells_(model.cells), inside_(model.inside), progress_(progress) {}
+  Builder(const Model &model, Progress &progress, const BallSet *balls)
+      : model_(model), cells_(model.cells), inside_(model.inside), progress_(progress) {
+    if (balls)
+      balls_ = *balls;
+    else
+      balls_ = merge_cospherical(cells_, model_.samples.position,
+                                 circumscribe(cells_, model_.samples.position, progress_, &inside_),
+                                 progress_, &inside_);
+  }
 
   DualComplex run() {
     pinches_ = find_pinches(model_, progress_);
@@ -47,9 +53,6 @@ private:
 
   /// Groups of inside tetrahedra on one sphere that hang together across facets.
   void find_groups() {
-    balls_ = merge_cospherical(cells_, model_.samples.position,
-                               circumscribe(cells_, model_.samples.position, progress_, &inside_),
-                               progress_, &inside_);
     group_.resize(cells_.size());
     for (std::size_t c = 0; c < cells_.size(); ++c) group_[c] = int32_t(c);
     DisjointSets sets(cells_.size());
@@ -298,8 +301,8 @@ private:
 
 } // namespace
 
-DualComplex dual_complex(const Model &model, Progress &progress) {
-  return Builder(model, progress).run();
+DualComplex dual_complex(const Model &model, Progress &progress, const BallSet *balls) {
+  return Builder(model, progress, balls).run();
 }
 
 } // namespace vbm::impl

@@ -2,6 +2,7 @@
 // The cells dual to the inside Delaunay tetrahedra: all of the Voronoi diagram that lies inside.
 #pragma once
 
+#include "balls/merge.h"
 #include "core/model.h"
 
 #include <array>
@@ -30,6 +31,7 @@ struct DualComplex {
   std::size_t faces() const { return face_samples.size(); }
 };
 
-DualComplex dual_complex(const Model &model, Progress &progress);
+/// `balls` are the balls of the tetrahedra and which of these share one; NULL: found by rounding.
+DualComplex dual_complex(const Model &model, Progress &progress, const BallSet *balls = nullptr);
 
 } // namespace vbm::impl
