@@ -31,7 +31,9 @@ bool set_option(vbm_build_options &options, const std::string &name, double valu
 }
 
 bool set_option(vbm_axis_options &options, const std::string &name, double value) {
-  if (name == "angle")
+  if (name == "method")
+    options.method = whole(value);
+  else if (name == "angle")
     options.angle = value;
   else if (name == "ratio")
     options.ratio = value;
