@@ -230,6 +230,11 @@ py::object axis_to_python(Axis axis) {
   return py::cast(std::move(out));
 }
 
+std::shared_ptr<const Axis> axis_of(const py::object &axis) {
+  const auto state = axis.cast<const MedialAxis &>().states.back();
+  return {state, &state->axis};
+}
+
 void bind_axis(py::module_ &module) {
   py::class_<State, std::shared_ptr<State>>(module, "_AxisState",
                                             "What arrays of an axis belong to.");

@@ -37,6 +37,7 @@ PYBIND11_MODULE(vbm, module) {
   bind_reports(module);
   bind_surface(module);
   bind_axis(module);
+  bind_medial_mesh(module);
   bind_model(module);
   bind_build(module);
   bind_balls(module);

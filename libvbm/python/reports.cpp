@@ -77,6 +77,25 @@ const Field<A> kAxisFields[] = {
     VBM_FIELD(A, euler, "Euler characteristic: vertices - edges + triangles."),
     VBM_FIELD(A, volume, "Share of the shape's volume that what is left stands for, 0 to 1."),
 };
+
+using N = vbm_medial_mesh_report;
+const Field<N> kMedialMeshFields[] = {
+    VBM_FIELD(N, vertices, "Vertices: balls."),
+    VBM_FIELD(N, triangles, "Triangles."),
+    VBM_FIELD(N, edges, "Edges, those of triangles too."),
+    VBM_FIELD(N, curve_edges, "Edges of no triangle."),
+    VBM_FIELD(N, components, "Connected pieces."),
+    VBM_FIELD(N, euler, "Euler characteristic: vertices - edges + triangles."),
+    VBM_FIELD(N, diagonal, "Bounding-box diagonal of the samples, which errors are shares of."),
+    VBM_FIELD(N, sample_error_max,
+              "Largest distance from the samples on the surface to the envelope's boundary."),
+    VBM_FIELD(N, sample_error_mean, "Their mean distance."),
+    VBM_FIELD(N, envelope_error_max,
+              "Largest distance from the envelope's boundary to the interpolating surface."),
+    VBM_FIELD(N, envelope_error_mean, "The mean of that distance, over the boundary."),
+    VBM_FIELD(N, error_max, "Two-sided: the larger of the two largest."),
+    VBM_FIELD(N, error_mean, "Two-sided: the mean of the two means."),
+};
 #undef VBM_FIELD
 
 // The named tuple's class, kept for as long as the process lives. Asking the module by its name
@@ -113,11 +132,17 @@ void bind_reports(py::module_ &module) {
        kModelFields);
   bind(module, "SurfaceReport", "Counts and measures of a surface; a named tuple.", kSurfaceFields);
   bind(module, "AxisReport", "Counts of a medial axis; a named tuple.", kAxisFields);
+  bind(module, "MedialMeshReport", "Counts and errors of a medial mesh; a named tuple.",
+       kMedialMeshFields);
 }
 
 py::object to_python(const vbm_model_report &report) { return make(report, kModelFields); }
 py::object to_python(const vbm_surface_report &report) { return make(report, kSurfaceFields); }
 py::object to_python(const vbm_axis_report &report) { return make(report, kAxisFields); }
+
+py::object to_python(const vbm_medial_mesh_report &report) {
+  return make(report, kMedialMeshFields);
+}
 
 py::list lines_of(const std::string &text) {
   py::list list;

@@ -9,12 +9,13 @@ namespace vbm::python {
 
 namespace py = pybind11;
 
-/// Add ModelReport, SurfaceReport and AxisReport to the module.
+/// Add the reports' classes to the module.
 void bind_reports(py::module_ &module);
 
 py::object to_python(const vbm_model_report &report);
 py::object to_python(const vbm_surface_report &report);
 py::object to_python(const vbm_axis_report &report);
+py::object to_python(const vbm_medial_mesh_report &report);
 
 /// A list of the lines of a text, each of which ends in a newline.
 py::list lines_of(const std::string &text);

@@ -192,4 +192,6 @@ VBM_API vbm_status vbm_axis_surface(vbm_context *context, const vbm_axis *axis,
 }
 #endif
 
+#include "medial_mesh.h" /* the axis of N balls, curve skeletons */
+
 #endif /* VBM_AXIS_H */

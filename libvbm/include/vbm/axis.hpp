@@ -126,4 +126,6 @@ inline Axis medial_axis(Context &context, const Model &model,
 
 } // namespace vbm
 
+#include <vbm/medial_mesh.hpp>
+
 #endif // VBM_AXIS_HPP

@@ -75,5 +75,7 @@ vbm_build_options read_options(const vbm_build_options *options);
 vbm_axis_options read_options(const vbm_axis_options *options);
 vbm_prune_options read_options(const vbm_prune_options *options);
 vbm_axis_surface_options read_options(const vbm_axis_surface_options *options);
+vbm_simplify_options read_options(const vbm_simplify_options *options);
+vbm_curve_skeleton_options read_options(const vbm_curve_skeleton_options *options);
 
 } // namespace vbm::impl

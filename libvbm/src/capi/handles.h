@@ -5,6 +5,7 @@
 #include "core/model.h"
 #include "measure/union_measures.h"
 #include "medial/axis.h"
+#include "medial/medial_mesh.h"
 
 #include <vbm/vbm.h>
 
@@ -41,6 +42,10 @@ struct vbm_axis {
 struct vbm_measures {
   vbm::impl::UnionMeasures measures; // input units
   vbm_measures_report report;
+};
+
+struct vbm_medial_mesh {
+  vbm::impl::MedialMesh mesh;
 };
 
 struct vbm_surface {

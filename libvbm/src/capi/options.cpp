@@ -49,6 +49,23 @@ vbm_axis_surface_options axis_surface_defaults() {
   return o;
 }
 
+vbm_simplify_options simplify_defaults() {
+  vbm_simplify_options o{};
+  o.struct_size = sizeof o;
+  o.count = 1000;
+  o.iterations = 8;
+  return o;
+}
+
+vbm_curve_skeleton_options curve_skeleton_defaults() {
+  vbm_curve_skeleton_options o{};
+  o.struct_size = sizeof o;
+  o.spur = 0.03;
+  o.ratio = 0.5;
+  o.spacing = 0.5;
+  return o;
+}
+
 [[noreturn]] void bad_option(const char *name, const std::string &why) {
   throw Error(VBM_ERROR_ARGUMENT, std::string("option ") + name + " " + why, "option", {}, 0);
 }
@@ -109,6 +126,24 @@ vbm_axis_surface_options read_options(const vbm_axis_surface_options *options) {
   return read(options, axis_surface_defaults(), "vbm_axis_surface_options_init");
 }
 
+vbm_simplify_options read_options(const vbm_simplify_options *options) {
+  const vbm_simplify_options o = read(options, simplify_defaults(), "vbm_simplify_options_init");
+  if (o.count < 1) bad_option("count", "is 0: use at least 1");
+  if (o.iterations < 0 || o.iterations > 100)
+    bad_option("iterations", "is " + std::to_string(o.iterations) + ", outside its range 0 to 100");
+  return o;
+}
+
+vbm_curve_skeleton_options read_options(const vbm_curve_skeleton_options *options) {
+  const vbm_curve_skeleton_options o =
+      read(options, curve_skeleton_defaults(), "vbm_curve_skeleton_options_init");
+  if (!(o.spur >= 0 && o.spur <= 1)) bad_option("spur", "is outside its range 0 to 1");
+  if (!(o.ratio >= 0)) bad_option("ratio", "is negative or not a number");
+  if (!(o.spacing >= 0.05 && o.spacing <= 100))
+    bad_option("spacing", "is outside its range 0.05 to 100");
+  return o;
+}
+
 } // namespace vbm::impl
 
 extern "C" {
@@ -124,6 +159,12 @@ void vbm_prune_options_init(vbm_prune_options *options, size_t struct_size) {
 }
 void vbm_axis_surface_options_init(vbm_axis_surface_options *options, size_t struct_size) {
   vbm::impl::init(options, struct_size, vbm::impl::axis_surface_defaults());
+}
+void vbm_simplify_options_init(vbm_simplify_options *options, size_t struct_size) {
+  vbm::impl::init(options, struct_size, vbm::impl::simplify_defaults());
+}
+void vbm_curve_skeleton_options_init(vbm_curve_skeleton_options *options, size_t struct_size) {
+  vbm::impl::init(options, struct_size, vbm::impl::curve_skeleton_defaults());
 }
 
 } // extern "C"

@@ -98,6 +98,21 @@ constexpr vbm_param kParams[] = {
     {sizeof(vbm_param), "axis_surface", "drop_outer", "Drop Outer Balls",
      "Leave out outer balls at removed parts as well, for sharper corners", "", VBM_PARAM_BOOL, 0,
      nullptr, nullptr, nullptr, 0, 0, 1},
+    {sizeof(vbm_param), "simplify_axis", "count", "Balls", "How many balls the axis is to have", "",
+     VBM_PARAM_INT, 0, nullptr, nullptr, nullptr, 1000, 1, kMaxCount},
+    {sizeof(vbm_param), "simplify_axis", "iterations", "Fitting Steps",
+     "How often the balls are fitted to the samples they stand for", "", VBM_PARAM_INT, 0, nullptr,
+     nullptr, nullptr, 8, 0, 100},
+    {sizeof(vbm_param), "curve_skeleton", "spur", "Shortest Branch",
+     "A branch stays if it is longer than the shape is wide at it by this share of the bounding "
+     "box's diagonal",
+     "ratio", VBM_PARAM_FLOAT, 0, nullptr, nullptr, nullptr, 0.03, 0, 1},
+    {sizeof(vbm_param), "curve_skeleton", "ratio", "Branch Ratio",
+     "And if it is longer than that by this many times that width", "ratio", VBM_PARAM_FLOAT, 0,
+     nullptr, nullptr, nullptr, 0.5, 0, kNoLimit},
+    {sizeof(vbm_param), "curve_skeleton", "spacing", "Ball Spacing",
+     "Neighbouring balls are about this many times half the shape's width apart", "ratio",
+     VBM_PARAM_FLOAT, 0, nullptr, nullptr, nullptr, 0.5, 0.05, 100},
 };
 
 } // namespace
