@@ -24,21 +24,22 @@ PART, CURVE_PART = "part", "curve_part"
 
 def make(made, axis, origin, recipe_text):
     """A new axis object, not linked yet."""
-    mesh = new_mesh(made, f"{origin.name} Axis", axis)
+    colors = part_colors.of_parts(axis)
+    mesh = new_mesh(made, f"{origin.name} Axis", axis, colors)
     obj = bpy.data.objects.new(mesh.name, mesh)
     made.append((bpy.data.objects, obj))
     creation.place_like(obj, origin)
     obj.vbm_axis.source = origin
     # The axis lies within its shape: it is seen through it.
     obj.show_in_front = True
-    tell(obj, axis, recipe_text)
+    tell(obj, axis, colors, recipe_text)
     return obj
 
 
-def new_mesh(made, name, axis):
+def new_mesh(made, name, axis, colors):
     mesh = bpy.data.meshes.new(name)
     made.append((bpy.data.meshes, mesh))
-    _fill(mesh, axis, part_colors.of_parts(axis))
+    _fill(mesh, axis, colors)
     material, is_new = part_colors.material()
     if is_new:
         made.append((bpy.data.materials, material))
@@ -90,13 +91,13 @@ def _keys(pairs, count):
     return pairs[:, 0] * count + pairs[:, 1]
 
 
-def tell(obj, axis, recipe_text):
+def tell(obj, axis, colors, recipe_text):
     """What the sidebar shows, and what the axis is made again from."""
     own = obj.vbm_axis
     own.recipe = recipe_text
     own.active_part = -1
     own.parts.clear()
-    for number, (part, color) in enumerate(zip(axis.parts, part_colors.of_parts(axis))):
+    for number, (part, color) in enumerate(zip(axis.parts, colors)):
         item = own.parts.add()
         item.name = f"{'Curve' if part.curve_edges else 'Part'} {number}"
         item.level = part.level

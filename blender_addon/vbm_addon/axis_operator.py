@@ -8,7 +8,7 @@ file was opened, the first of these operators computes it again; later ones find
 import bpy
 
 from . import (axis_model, axis_object, creation, graph_object, library, model,
-               op_simplify, skeleton_object, source, surface_object)
+               op_simplify, part_colors, skeleton_object, source, surface_object)
 from .job_operator import JobOperator
 from .recipe import Recipe, is_axis
 
@@ -106,9 +106,10 @@ def update(context, obj, request, result):
         ignore_faces=request.recipe.reading["ignore_faces"])
     surface, graph, skeleton = (follower(context, obj, kind)
                                 for kind in ("surface", "graph", "skeleton"))
+    colors = part_colors.of_parts(axis)
     new = []
     with creation.undone_on_failure() as made:
-        new.append((obj, axis_object.new_mesh(made, obj.data.name, axis)))
+        new.append((obj, axis_object.new_mesh(made, obj.data.name, axis, colors)))
         if surface is not None and result.surface is not None:
             new.append((surface, surface_object.new_mesh(made, surface.data.name, origin,
                                                          result.surface, choices)))
@@ -121,7 +122,7 @@ def update(context, obj, request, result):
     for target, data in new:
         creation.swap_data(target, data)
         changed[target.name] = target
-    axis_object.tell(obj, axis, request.recipe.dumps())
+    axis_object.tell(obj, axis, colors, request.recipe.dumps())
     if surface is not None and result.surface is not None:
         surface.vertex_groups.clear()
         surface_object.carry_over(surface, origin, request.source, result.surface, choices)
