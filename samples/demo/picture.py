@@ -39,7 +39,8 @@ def world_box(obj):
     return points.min(axis=0), points.max(axis=0)
 
 
-def _write(text, position, size, scene, tilt):
+def write(text, position, size, scene, tilt):
+    """A line of text, centred at a position."""
     curve = bpy.data.curves.new(text, "FONT")
     curve.body, curve.size, curve.align_x = text, size, "CENTER"
     label = bpy.data.objects.new(text, curve)
@@ -60,7 +61,7 @@ def lay_out(shown, scene, width, height):
     for i, (obj, text) in enumerate(shown):
         shift = (i - (len(shown) - 1) / 2) * step - middle[0]
         obj.matrix_world.translation.x += shift
-        _write(text, below + Vector((middle[0] + shift, 0.0, -0.05 * size[2])), 0.067 * step, scene, tilt)
+        write(text, below + Vector((middle[0] + shift, 0.0, -0.05 * size[2])), 0.067 * step, scene, tilt)
 
     data = bpy.data.cameras.new("Camera")
     data.type, data.ortho_scale, data.clip_end = "ORTHO", len(shown) * step * 1.02, 100 * max(size)
