@@ -118,7 +118,7 @@ def ear(out):
         shape.time("pruning", lambda: shape.axis.remove(triangles=[int(in_ear[0])]))
     top.append((scene.surface(shape.surface()), "its left ear removed"))
     below.append((scene.axis(shape.axis), parts(shape.axis)))
-    scene.render_rows([top, below], os.path.join(out, "ear.png"))
+    scene.render_rows([top, below], os.path.join(out, "ear.png"), turn=-30)
 
 
 def bone(out):
