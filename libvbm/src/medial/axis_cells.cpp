@@ -20,8 +20,9 @@ Pair sorted(int32_t a, int32_t b) { return {std::min(a, b), std::max(a, b)}; }
 Triple sorted(Triple t) { return std::sort(t.begin(), t.end()), t; }
 
 /// Keys that are there more than once, each but its first owner's.
-template <class Key> std::vector<int32_t> repeats(std::vector<std::pair<Key, int32_t>> keys) {
-  std::sort(keys.begin(), keys.end());
+template <class Key>
+std::vector<int32_t> repeats(std::vector<std::pair<Key, int32_t>> keys, std::size_t vertices) {
+  sort_rows(keys, vertices, [](const auto &key) { return key.first[0]; });
   std::vector<int32_t> out;
   for (std::size_t i = 1; i < keys.size(); ++i)
     if (keys[i].first == keys[i - 1].first) out.push_back(keys[i].second);
@@ -70,7 +71,7 @@ private:
       if (left_.edge[e]) keys.push_back({ends(int32_t(e)), int32_t(e)});
     }
     middle_.assign(complex_.edge.size(), -1);
-    for (int32_t e : repeats(keys)) {
+    for (int32_t e : repeats(keys, out_.ball.size())) {
       const Pair v = ends(e);
       middle_[e] = add_vertex((out_.ball[v[0]].center + out_.ball[v[1]].center) * 0.5,
                               complex_.edge_samples[e][0]);
@@ -122,8 +123,8 @@ private:
       if (n == 3) triangles.push_back({sorted(Triple{p[0], p[1], p[2]}), int32_t(f)});
     }
     hub_.assign(samples_.size(), 0);
-    for (int32_t f : repeats(std::move(lines))) hub_[f] = 1;
-    for (int32_t f : repeats(std::move(triangles))) hub_[f] = 1;
+    for (int32_t f : repeats(std::move(lines), out_.ball.size())) hub_[f] = 1;
+    for (int32_t f : repeats(std::move(triangles), out_.ball.size())) hub_[f] = 1;
   }
 
   void add_triangle(int32_t a, int32_t b, int32_t c, std::size_t face) {
@@ -157,7 +158,7 @@ private:
   }
 
   void join_edges() {
-    std::sort(out_.edge.begin(), out_.edge.end());
+    sort_rows(out_.edge, out_.ball.size(), [](const Pair &e) { return e[0]; });
     std::vector<uint64_t> first(out_.ball.size() + 1, 0); // edge by its lower end
     for (const Pair &e : out_.edge) ++first[std::size_t(e[0]) + 1];
     for (std::size_t v = 0; v + 1 < first.size(); ++v) first[v + 1] += first[v];

@@ -4,7 +4,9 @@
 
 #include "core/model.h"
 
+#include <algorithm>
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -36,6 +38,23 @@ Incidence lists_of(std::size_t count, const std::vector<std::array<int32_t, N>> 
   return lists_of(count, rows.size(), [&](std::size_t i, auto &&call) {
     for (int32_t element : rows[i]) call(element);
   });
+}
+
+/// Sort rows in which first(row) is less than `count`: by that in one pass, then the few that share
+/// it.
+template <class Row, class First>
+void sort_rows(std::vector<Row> &rows, std::size_t count, const First &first) {
+  std::vector<std::size_t> next(count + 1, 0);
+  for (const Row &row : rows) ++next[std::size_t(first(row)) + 1];
+  for (std::size_t i = 0; i < count; ++i) next[i + 1] += next[i];
+  std::vector<Row> out(rows.size());
+  for (const Row &row : rows) out[next[std::size_t(first(row))]++] = row;
+  std::size_t begin = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    std::sort(out.begin() + std::ptrdiff_t(begin), out.begin() + std::ptrdiff_t(next[i]));
+    begin = next[i];
+  }
+  rows.swap(out);
 }
 
 } // namespace vbm::impl

@@ -8,11 +8,12 @@
 #include "medial/collapse.h"
 
 #include "core/progress.h"
-#include "medial/cell_lists.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
+#include <numeric>
 #include <queue>
 
 namespace vbm::impl {
@@ -28,52 +29,96 @@ constexpr double kResolved = 2;
 /// Faces of a sheet at the border that are too few to be one.
 constexpr std::size_t kFringe = 8;
 
+/// A queue of edges by how little their only faces tell, in steps of 1 / kLevels; within a step
+/// first in, first out. Which faces go does not depend on the order: an edge's only face stays its
+/// only face.
+class Queue {
+public:
+  explicit Queue(std::size_t edges) : next_(edges) { first_.fill(-1); }
+
+  void push(int32_t edge, float weight) {
+    const int level = std::min(kLevels - 1, int(weight * kLevels));
+    (first_[level] < 0 ? first_[level] : next_[last_[level]]) = edge;
+    last_[level] = edge;
+    next_[edge] = -1;
+    least_ = std::min(least_, level);
+  }
+  /// -1 if there is none.
+  int32_t pop() {
+    while (least_ < kLevels && first_[least_] < 0) ++least_;
+    if (least_ == kLevels) return -1;
+    const int32_t edge = first_[least_];
+    first_[least_] = next_[edge];
+    return edge;
+  }
+
+private:
+  static constexpr int kLevels = 16;
+  std::array<int32_t, kLevels> first_{}, last_{};
+  std::vector<int32_t> next_; // of each edge queued
+  int least_ = kLevels;
+};
+
 class Collapser {
 public:
   Collapser(const DualComplex &complex, const Model &model, const AxisOptions &options,
             Progress &progress)
       : complex_(complex), model_(model), options_(options), progress_(progress),
-        edge_faces_(lists_of(complex.edge.size(), complex.face_edges)),
-        vertex_edges_(lists_of(complex.ball.size(), complex.edge)) {}
+        queue_(complex.edge.size()) {}
 
   Collapsed run() {
     out_.face.assign(complex_.faces(), 1);
     out_.edge.assign(complex_.edge.size(), 1);
     out_.vertex.assign(complex_.ball.size(), 1);
     out_.root.resize(complex_.ball.size());
-    for (std::size_t v = 0; v < out_.root.size(); ++v) out_.root[v] = int32_t(v);
+    std::iota(out_.root.begin(), out_.root.end(), 0);
     spacing_ = options_.spacing ? *options_.spacing : sample_spacing(model_, progress_);
+    for (double &d : spacing_) d *= d;
     weigh_faces();
     open_solids();
-    count_degrees();
-    do {
+    count_uses();
+    offer_all();
+    peel();
+    cut_short_curves();
+    find_seams();
+    while (give_up_fringe()) {
       peel();
       cut_short_curves();
-    } while (give_up_fringe());
+    }
     find_roots();
     return std::move(out_);
   }
 
 private:
-  using Item = std::pair<double, int32_t>; // significance, cell
-  using Queue = std::priority_queue<Item, std::vector<Item>, std::greater<Item>>;
+  /// Of the cells left at a border cell of theirs: how many, and the sum of their numbers, so that
+  /// the only one is known, and of two each knows the other.
+  struct Use {
+    int32_t count = 0;
+    uint32_t sum = 0;
+    void add(int32_t cell) { ++count, sum += uint32_t(cell); }
+    void take(int32_t cell) { --count, sum -= uint32_t(cell); }
+    int32_t only() const { return int32_t(sum); }
+    int32_t other(int32_t cell) const { return int32_t(sum - uint32_t(cell)); }
+  };
 
+  /// Squared, as all lengths until peel().
   double width(int32_t a, int32_t b) const {
-    return distance(model_.samples.position[a], model_.samples.position[b]);
+    const Vec3 between = model_.samples.position[a] - model_.samples.position[b];
+    return dot(between, between);
   }
 
-  bool apart(int32_t a, int32_t b, double radius) const {
-    return width(a, b) >= 2 * radius * sine_;
-  }
+  bool apart(double width, double radius) const { return width >= chord_ * radius * radius; }
 
   /// Whether two samples of a ball of this radius are on different sides of the shape.
-  bool tells(int32_t a, int32_t b, double radius) const {
-    const double w = width(a, b), spacing = std::max(spacing_[a], spacing_[b]);
-    return (apart(a, b, radius) && w >= kResolved * spacing) || w >= options_.ratio * spacing;
+  bool tells(int32_t a, int32_t b, double width, double radius) const {
+    const double spacing = std::max(spacing_[a], spacing_[b]);
+    return (apart(width, radius) && width >= kResolved * kResolved * spacing) ||
+           width >= options_.ratio * options_.ratio * spacing;
   }
 
   void weigh_faces() {
-    sine_ = std::sin(options_.angle * (std::acos(-1.0) / 360));
+    const double sine = std::sin(options_.angle * (std::acos(-1.0) / 360));
+    chord_ = 4 * sine * sine;
     keep_face_.resize(complex_.faces());
     weight_.resize(complex_.faces());
     for (std::size_t f = 0; f < complex_.faces(); ++f) {
@@ -83,20 +128,37 @@ private:
            ++k)
         radius = std::max(radius, complex_.ball[complex_.face_vertices.index[k]].radius);
       const auto [a, b] = complex_.face_samples[f];
-      keep_face_[f] = tells(a, b, radius);
-      weight_[f] = width(a, b) / (2 * radius);
+      const double across = width(a, b);
+      keep_face_[f] = tells(a, b, across, radius);
+      weight_[f] = radius > 0 ? float(std::sqrt(across) / (2 * radius)) : 0;
     }
-    keep_edge_.resize(complex_.edge.size());
-    out_.seam.resize(complex_.edge.size());
+  }
+
+  double largest(int32_t edge) const {
+    const auto [u, v] = complex_.edge[edge];
+    return std::max(complex_.ball[u].radius, complex_.ball[v].radius);
+  }
+
+  /// Whether an edge of no face is a curve of the axis.
+  bool keep_edge(int32_t edge) const {
+    const double radius = largest(edge);
+    const auto &s = complex_.edge_samples[edge];
+    for (int i = 0; i < 3; ++i) {
+      const int32_t a = s[i], b = s[(i + 1) % 3];
+      if (!tells(a, b, width(a, b), radius)) return false;
+    }
+    return true;
+  }
+
+  void find_seams() {
+    out_.seam.assign(complex_.edge.size(), 0);
     for (std::size_t e = 0; e < complex_.edge.size(); ++e) {
       progress_.tick(0, 1);
-      const auto [u, v] = complex_.edge[e];
-      const double radius = std::max(complex_.ball[u].radius, complex_.ball[v].radius);
+      if (!out_.edge[e] || faces_at_[e].count == 0) continue;
+      const double radius = largest(int32_t(e));
       const auto &s = complex_.edge_samples[e];
-      keep_edge_[e] =
-          tells(s[0], s[1], radius) && tells(s[1], s[2], radius) && tells(s[2], s[0], radius);
-      out_.seam[e] =
-          apart(s[0], s[1], radius) && apart(s[1], s[2], radius) && apart(s[2], s[0], radius);
+      out_.seam[e] = apart(width(s[0], s[1]), radius) && apart(width(s[1], s[2]), radius) &&
+                     apart(width(s[2], s[0]), radius);
     }
   }
 
@@ -109,7 +171,8 @@ private:
     for (std::size_t f = 0; f < complex_.faces(); ++f)
       for (int32_t s : complex_.face_samples[f])
         if (solid[s]) faces_of[s].push_back(int32_t(f));
-    Queue queue;
+    using Item = std::pair<float, int32_t>;
+    std::priority_queue<Item, std::vector<Item>, std::greater<Item>> queue;
     const auto offer = [&](int32_t f) {
       const auto [a, b] = complex_.face_samples[f];
       if (solid[a] != solid[b]) queue.push({weight_[f], f});
@@ -129,57 +192,55 @@ private:
     }
   }
 
-  void count_degrees() {
-    faces_at_.assign(complex_.edge.size(), 0);
-    edges_at_.assign(complex_.ball.size(), 0);
-    for (std::size_t f = 0; f < complex_.faces(); ++f)
-      if (out_.face[f])
-        for (uint64_t k = complex_.face_edges.offset[f]; k < complex_.face_edges.offset[f + 1]; ++k)
-          ++faces_at_[complex_.face_edges.index[k]];
-    for (const auto &e : complex_.edge)
-      for (int32_t v : e) ++edges_at_[v];
-  }
-
-  /// The only face left at an edge.
-  int32_t face_at(int32_t edge) const {
-    for (uint64_t k = edge_faces_.offset[edge]; k < edge_faces_.offset[edge + 1]; ++k)
-      if (out_.face[edge_faces_.index[k]]) return edge_faces_.index[k];
-    return -1;
+  /// A cell that goes leaves no use of itself behind, and none of its border cells that go with it.
+  void count_uses() {
+    faces_at_.resize(complex_.edge.size());
+    edges_at_.resize(complex_.ball.size());
+    for (std::size_t f = 0; f < complex_.faces(); ++f) {
+      progress_.tick(0, 1);
+      if (!out_.face[f]) continue;
+      for (uint64_t k = complex_.face_edges.offset[f]; k < complex_.face_edges.offset[f + 1]; ++k)
+        faces_at_[complex_.face_edges.index[k]].add(int32_t(f));
+    }
+    for (std::size_t e = 0; e < complex_.edge.size(); ++e)
+      for (int32_t v : complex_.edge[e]) edges_at_[v].add(int32_t(e));
   }
 
   void offer_edge(int32_t edge) {
-    if (!out_.edge[edge] || faces_at_[edge] != 1) return;
-    const int32_t f = face_at(edge);
-    if (!keep_face_[f]) queue_.push({weight_[f], edge});
+    if (faces_at_[edge].count != 1) return;
+    const int32_t f = faces_at_[edge].only();
+    if (!keep_face_[f]) queue_.push(edge, weight_[f]);
   }
 
   void offer_vertex(int32_t v) {
-    if (out_.vertex[v] && edges_at_[v] == 1) leaves_.push_back(v);
+    if (edges_at_[v].count == 1) leaves_.push_back(v);
   }
 
-  void peel() {
+  void offer_all() {
     for (std::size_t e = 0; e < complex_.edge.size(); ++e) {
       progress_.tick(0, 1);
       offer_edge(int32_t(e));
     }
     for (std::size_t v = 0; v < complex_.ball.size(); ++v) offer_vertex(int32_t(v));
+  }
+
+  void peel() {
     cut_leaves();
-    while (!queue_.empty()) {
+    for (int32_t edge; (edge = queue_.pop()) >= 0;) {
       progress_.tick(0, 1);
-      const int32_t edge = queue_.top().second;
-      queue_.pop();
-      if (!out_.edge[edge] || faces_at_[edge] != 1) continue;
-      const int32_t f = face_at(edge);
+      if (faces_at_[edge].count != 1) continue;
+      const int32_t f = faces_at_[edge].only();
       out_.face[f] = 0;
       remove_edge(edge);
       for (uint64_t k = complex_.face_edges.offset[f]; k < complex_.face_edges.offset[f + 1]; ++k) {
         const int32_t e = complex_.face_edges.index[k];
-        if (!out_.edge[e]) continue;
-        if (--faces_at_[e] == 0) {
+        faces_at_[e].take(f);
+        if (faces_at_[e].count == 1) {
+          offer_edge(e);
+        } else if (faces_at_[e].count == 0 && e != edge) {
           offer_vertex(complex_.edge[e][0]);
           offer_vertex(complex_.edge[e][1]);
         }
-        offer_edge(e);
       }
       cut_leaves();
     }
@@ -188,7 +249,7 @@ private:
   void remove_edge(int32_t e) {
     out_.edge[e] = 0;
     for (int32_t v : complex_.edge[e]) {
-      --edges_at_[v];
+      edges_at_[v].take(e);
       offer_vertex(v);
     }
   }
@@ -198,24 +259,23 @@ private:
     while (!leaves_.empty()) {
       const int32_t v = leaves_.back();
       leaves_.pop_back();
-      if (!out_.vertex[v] || edges_at_[v] != 1) continue;
-      for (uint64_t k = vertex_edges_.offset[v]; k < vertex_edges_.offset[v + 1]; ++k) {
-        const int32_t e = vertex_edges_.index[k];
-        if (!out_.edge[e]) continue;
-        if (faces_at_[e] != 0 || keep_edge_[e]) break;
-        out_.vertex[v] = 0;
-        out_.root[v] = complex_.edge[e][0] == v ? complex_.edge[e][1] : complex_.edge[e][0];
-        remove_edge(e);
-        break;
+      if (edges_at_[v].count != 1) continue;
+      const int32_t e = edges_at_[v].only();
+      if (faces_at_[e].count != 0) continue;
+      if (keep_edge(e)) {
+        ends_.push_back(v);
+        continue;
       }
+      out_.vertex[v] = 0;
+      out_.root[v] = other_end(e, v);
+      remove_edge(e);
     }
   }
 
   /// Faces of small groups at the border are not worth keeping: whether there were any.
   bool give_up_fringe() {
-    bool any = false;
     std::vector<uint8_t> seen(complex_.faces(), 0);
-    std::vector<int32_t> group;
+    std::vector<int32_t> group, given_up;
     for (std::size_t first = 0; first < complex_.faces(); ++first) {
       progress_.tick(0, 1);
       if (!out_.face[first] || seen[first]) continue;
@@ -228,33 +288,32 @@ private:
         for (uint64_t k = complex_.face_edges.offset[f]; k < complex_.face_edges.offset[f + 1];
              ++k) {
           const int32_t e = complex_.face_edges.index[k];
-          border |= faces_at_[e] == 1;
-          if (faces_at_[e] != 2 || out_.seam[e]) continue;
-          for (uint64_t j = edge_faces_.offset[e]; j < edge_faces_.offset[e + 1]; ++j) {
-            const int32_t g = edge_faces_.index[j];
-            if (!out_.face[g] || seen[g]) continue;
-            seen[g] = 1;
-            group.push_back(g);
-          }
+          border |= faces_at_[e].count == 1;
+          if (faces_at_[e].count != 2 || out_.seam[e]) continue;
+          const int32_t g = faces_at_[e].other(f);
+          if (seen[g]) continue;
+          seen[g] = 1;
+          group.push_back(g);
         }
       }
       if (!border || !kept || group.size() > kFringe) continue;
       for (int32_t f : group) keep_face_[f] = 0;
-      any = true;
+      given_up.insert(given_up.end(), group.begin(), group.end());
     }
-    return any;
+    for (int32_t f : given_up)
+      for (uint64_t k = complex_.face_edges.offset[f]; k < complex_.face_edges.offset[f + 1]; ++k)
+        offer_edge(complex_.face_edges.index[k]);
+    return !given_up.empty();
   }
 
   /// Curves with a loose end that do not leave the balls they begin in: corners, not tubes.
   void cut_short_curves() {
-    std::vector<int32_t> ends, chain;
-    for (std::size_t v = 0; v < complex_.ball.size(); ++v)
-      if (out_.vertex[v] && edges_at_[v] == 1) ends.push_back(int32_t(v));
+    std::vector<int32_t> ends = ends_, chain;
     while (!ends.empty()) {
       progress_.tick(0, 1);
       const int32_t end = ends.back();
       ends.pop_back();
-      if (!out_.vertex[end] || edges_at_[end] != 1) continue;
+      if (edges_at_[end].count != 1) continue;
       chain.clear();
       double radius = complex_.ball[end].radius, length = 0;
       int32_t v = end;
@@ -264,10 +323,10 @@ private:
         radius = std::max(radius, complex_.ball[next].radius);
         chain.push_back(e);
         v = next;
-        if (edges_at_[v] != 2) break;
+        if (edges_at_[v].count != 2) break;
       }
       // A curve that is all there is of a piece of the axis stays.
-      if (chain.empty() || edges_at_[v] == 1 || length > kShortCurve * radius) continue;
+      if (chain.empty() || edges_at_[v].count == 1 || length > kShortCurve * radius) continue;
       v = end;
       for (int32_t e : chain) {
         out_.vertex[v] = 0;
@@ -276,7 +335,10 @@ private:
         remove_edge(e);
       }
       leaves_.clear();
-      if (edges_at_[v] == 1) ends.push_back(v);
+      if (edges_at_[v].count == 1) {
+        ends.push_back(v);
+        ends_.push_back(v);
+      }
     }
   }
 
@@ -284,13 +346,11 @@ private:
     return complex_.edge[e][0] == v ? complex_.edge[e][1] : complex_.edge[e][0];
   }
 
-  /// The edge of a curve at v that is not `from`, or -1.
+  /// The edge of a curve at v that is not `from`, or -1. There are at most two edges at v.
   int32_t curve_from(int32_t v, int32_t from) const {
-    for (uint64_t k = vertex_edges_.offset[v]; k < vertex_edges_.offset[v + 1]; ++k) {
-      const int32_t e = vertex_edges_.index[k];
-      if (e != from && out_.edge[e]) return faces_at_[e] == 0 ? e : -1;
-    }
-    return -1;
+    if (edges_at_[v].count != (from < 0 ? 1 : 2)) return -1;
+    const int32_t e = from < 0 ? edges_at_[v].only() : edges_at_[v].other(from);
+    return faces_at_[e].count == 0 ? e : -1;
   }
 
   void find_roots() {
@@ -310,14 +370,14 @@ private:
   const Model &model_;
   const AxisOptions &options_;
   Progress &progress_;
-  Incidence edge_faces_, vertex_edges_;
-  std::vector<double> spacing_; // per sample
-  double sine_ = 0;             // of half the angle
-  std::vector<uint8_t> keep_face_, keep_edge_, open_;
-  std::vector<double> weight_; // per face
-  std::vector<int32_t> faces_at_, edges_at_;
-  Queue queue_; // free edges
+  std::vector<double> spacing_; // per sample, squared
+  double chord_ = 0;            // squared chord of the angle in the unit circle
+  std::vector<uint8_t> keep_face_, open_;
+  std::vector<float> weight_;            // per face
+  std::vector<Use> faces_at_, edges_at_; // per edge, per vertex
+  Queue queue_;                          // free edges
   std::vector<int32_t> leaves_;
+  std::vector<int32_t> ends_; // of curves that are kept
   Collapsed out_;
 };
 
