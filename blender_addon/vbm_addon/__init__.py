@@ -18,12 +18,12 @@ bl_info = {
 import bpy
 from bpy.app.handlers import persistent
 
-from . import (cache, menus, op_balls, op_graphs, op_groups, op_parts, op_pick, op_select,
+from . import (cache, menus, op_armature, op_balls, op_graphs, op_groups, op_parts, op_pick, op_select,
                op_simplify, op_surface, op_thickness, options, panel, panel_axis, part_overlay,
                recipe, session)
 
 _MODULES = (options, recipe, op_balls, op_surface, op_thickness, op_select, op_simplify, op_parts,
-            op_graphs, op_groups, op_pick, part_overlay, panel, panel_axis, menus)
+            op_graphs, op_armature, op_groups, op_pick, part_overlay, panel, panel_axis, menus)
 
 
 @persistent

@@ -74,12 +74,13 @@ class History:
 class Wanted:
     """What is asked for beside the axis: the library's own calls, each with its part of the bar."""
 
-    def __init__(self, axis_arguments, steps, drop_outer=False, surface=False, skeleton=False):
+    def __init__(self, axis_arguments, steps, drop_outer=False, surface=False, skeleton=None):
         self.axis_arguments = axis_arguments
         self.key = tuple(sorted(axis_arguments.items()))
         self.steps = steps
         self.drop_outer = drop_outer
         self.surface = surface
+        #: The library's arguments for the curve skeleton, or None where none is wanted.
         self.skeleton = skeleton
 
 
@@ -103,7 +104,7 @@ def is_quick(request, wanted):
 
 def _kinds(wanted):
     return ([("surface", wanted.drop_outer)] if wanted.surface else []) + (
-        ["skeleton"] if wanted.skeleton else [])
+        [("skeleton", *sorted(wanted.skeleton.items()))] if wanted.skeleton is not None else [])
 
 
 def compute(request, wanted, progress):
@@ -121,9 +122,9 @@ def compute(request, wanted, progress):
         step = 0.25 / len(_kinds(wanted))
         phase = Phase(progress, end, end + step)
         end += step
-        if kind == "skeleton":
+        if kind[0] == "skeleton":
             result.skeleton = history.result(
-                kind, wanted.steps, lambda: axis.curve_skeleton(progress=phase))
+                kind, wanted.steps, lambda: axis.curve_skeleton(progress=phase, **wanted.skeleton))
         else:
             result.surface = history.result(
                 kind, wanted.steps,

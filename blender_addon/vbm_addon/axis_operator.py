@@ -73,7 +73,7 @@ class AxisOperator(JobOperator):
         request.wanted = axis_model.Wanted(
             recipe.axis, recipe.steps, recipe.surface["drop_outer"],
             follower(context, obj, "surface") is not None,
-            follower(context, obj, "skeleton") is not None)
+            recipe.skeleton if follower(context, obj, "skeleton") is not None else None)
         return obj, request
 
     def work(self, request, progress):

@@ -20,6 +20,8 @@ class VBM_MT_object(bpy.types.Menu):
         layout.operator("vbm.undo_axis_step")
         layout.separator()
         layout.operator("vbm.topology_graph")
+        layout.operator("vbm.curve_skeleton")
+        layout.operator("vbm.make_armature")
         layout.operator("vbm.part_groups")
         layout.separator()
         layout.operator("vbm.select_undersampled")

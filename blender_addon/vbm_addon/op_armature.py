@@ -4,11 +4,11 @@
 import bpy
 from bpy.props import BoolProperty, EnumProperty, FloatProperty, IntProperty
 
-from . import armature, creation, session, source
+from . import armature, creation, op_graphs, options, session, source
 from .axis_operator import AxisOperator, follower
 
 
-class VBM_OT_make_armature(AxisOperator, bpy.types.Operator):
+class VBM_OT_make_armature(op_graphs.SkeletonOptions, AxisOperator, bpy.types.Operator):
     """Make an armature along the medial axis: a chain of bones for every branch of its curve skeleton. \
 Prune the axis first, for fewer branches"""
 
@@ -36,7 +36,8 @@ Prune the axis first, for fewer branches"""
 
     def _prepare(self, context):
         obj, request = super()._prepare(context)
-        request.wanted.surface, request.wanted.skeleton = False, True
+        request.wanted.surface = False
+        request.wanted.skeleton = options.arguments_of(self, op_graphs.SKELETON_NAMES)
         if self.bind == "SOURCE" and obj.vbm_axis.source.type != "MESH":
             raise source.SourceError(f"{obj.vbm_axis.source.name} is not a mesh: it cannot be bound "
                                      "with automatic weights")
@@ -65,6 +66,9 @@ Prune the axis first, for fewer branches"""
         layout = self.layout
         layout.use_property_split = True
         for name in ("bone_length", "most_bones", "drop_stubs", "bind"):
+            layout.prop(self, name)
+        layout.separator()
+        for name in op_graphs.SKELETON_NAMES:
             layout.prop(self, name)
 
 

@@ -3,7 +3,7 @@
 
 import bpy
 
-from . import axis_object, creation, graph_object, session, skeleton_object
+from . import axis_object, creation, graph_object, options, session, skeleton_object
 from .axis_operator import AxisOperator, follower
 
 
@@ -18,8 +18,11 @@ class _Graphs(AxisOperator):
     def _prepare(self, context):
         obj, request = super()._prepare(context)
         request.wanted.surface = False  # it stays as it is
-        request.wanted.skeleton = self.kind == "skeleton"
+        request.wanted.skeleton = self.skeleton_arguments()
         return obj, request
+
+    def skeleton_arguments(self):
+        return None
 
     def finish(self, context, obj, request, result):
         old = follower(context, obj, self.kind)
@@ -34,7 +37,10 @@ class _Graphs(AxisOperator):
         else:
             creation.swap_data(old, data)
             creation.select_alone(context, old)
-        return session.Outcome(*self.told(old or new, result))
+        return session.Outcome(*self.told(old or new, result), self.notes(result))
+
+    def notes(self, result):
+        return []
 
 
 class VBM_OT_topology_graph(_Graphs, bpy.types.Operator):
@@ -58,7 +64,16 @@ from there to the middle of each part. A loop of it is a tunnel of the shape"""
                 ["Nodes are white; parts have the colours of the axis"])
 
 
-class VBM_OT_curve_skeleton(_Graphs, bpy.types.Operator):
+class SkeletonOptions:
+    """For operators that compute a curve skeleton."""
+
+    __annotations__ = options.properties_of("curve_skeleton", set())
+
+
+SKELETON_NAMES = tuple(SkeletonOptions.__annotations__)
+
+
+class VBM_OT_curve_skeleton(SkeletonOptions, _Graphs, bpy.types.Operator):
     """Make a curve object of the medial axis shrunk to curves, with all tunnels kept. The radius of \
 each point is that of its ball"""
 
@@ -66,6 +81,19 @@ each point is that of its ball"""
     bl_label = "Curve Skeleton"
     doing = "Shrinking the axis to curves"
     kind = "skeleton"
+
+    def skeleton_arguments(self):
+        return options.arguments_of(self, SKELETON_NAMES)
+
+    def finish(self, context, obj, request, result):
+        outcome = super().finish(context, obj, request, result)
+        # As it is made anew when the axis changes.
+        request.recipe.skeleton = request.wanted.skeleton
+        obj.vbm_axis.recipe = request.recipe.dumps()
+        return outcome
+
+    def notes(self, result):
+        return skeleton_object.notes(result.skeleton)
 
     def make(self, made, origin, result, curve_name=None):
         if curve_name is None:
@@ -77,7 +105,7 @@ each point is that of its ball"""
                 [f"{len(result.skeleton.vertices):,} points"])
 
 
-_CLASSES = (VBM_OT_topology_graph,)
+_CLASSES = (VBM_OT_topology_graph, VBM_OT_curve_skeleton)
 
 
 def register():

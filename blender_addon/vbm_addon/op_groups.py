@@ -25,7 +25,7 @@ belongs to the part of its inner ball"""
 
     def _prepare(self, context):
         obj, request = super()._prepare(context)
-        request.wanted.surface = request.wanted.skeleton = False
+        request.wanted.surface, request.wanted.skeleton = False, None
         origin = obj.vbm_axis.source
         if origin.type != "MESH" or not request.source.own:
             raise source.SourceError(f"The axis was not computed from {origin.name}'s own vertices, "

@@ -25,7 +25,8 @@ axis is cut into parts, those that matter least go, and what is left is given a 
         items=[("SURFACE", "Surface", "The simplified shape, closed"),
                ("AXIS", "Axis", "The medial axis, coloured by part. Its parts can be removed one "
                 "by one"),
-               ("GRAPH", "Graph", "The topology graph: how the parts hang together")])
+               ("GRAPH", "Graph", "The topology graph: how the parts hang together"),
+               ("SKELETON", "Skeleton", "The axis shrunk to curves, as a curve object")])
     shading: surface_object.SHADING
     copy_data: BoolProperty(
         name="Copy Attributes", default=False,
@@ -40,7 +41,7 @@ axis is cut into parts, those that matter least go, and what is left is given a 
         # Read here, on the main thread: a job must not touch the operator's properties.
         request.wanted = axis_model.Wanted(
             axis_options.axis_arguments(self), axis_options.scheme(self), self.drop_outer,
-            "SURFACE" in self.create, "SKELETON" in self.create)
+            "SURFACE" in self.create, {} if "SKELETON" in self.create else None)
         return obj, request
 
     def work(self, request, progress):
@@ -70,6 +71,8 @@ axis is cut into parts, those that matter least go, and what is left is given a 
             creation.show_results(context, list(shown.values()), obj, self.source_display)
         op_balls.color_viewport(context)
         said = outcome(shown, result)
+        if result.skeleton is not None:
+            said.notes += skeleton_object.notes(result.skeleton)
         said.notes += model.notes
         return said
 
@@ -78,7 +81,7 @@ axis is cut into parts, those that matter least go, and what is left is given a 
                    for name in ("use_modifiers", "ignore_faces", "normals_attribute")}
         surface = {"drop_outer": self.drop_outer, "shading": choices.shading,
                    "copy_data": choices.copy_data}
-        return Recipe(reading, request.arguments, request.wanted.axis_arguments, surface,
+        return Recipe(reading, request.arguments, request.wanted.axis_arguments, surface, {},
                       request.source.digest.hex(), request.wanted.steps)
 
     def draw(self, context):

@@ -147,6 +147,8 @@ class VBM_PT_derived(_OfAxis, bpy.types.Panel):
         layout.enabled = session.job is None
         column = layout.column(align=True)
         column.operator("vbm.topology_graph", icon="OUTLINER_OB_ARMATURE")
+        column.operator("vbm.curve_skeleton", icon="OUTLINER_OB_CURVE")
+        column.operator("vbm.make_armature", icon="ARMATURE_DATA")
         column.operator("vbm.part_groups", icon="GROUP_VERTEX")
 
 

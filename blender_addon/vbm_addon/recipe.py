@@ -16,20 +16,21 @@ _EDITION = 1
 
 
 class Recipe:
-    """Options of reading, building, axis and surface, the source's digest, and the steps."""
+    """Options of reading, building, axis, surface and skeleton, the source's digest, and the steps."""
 
-    def __init__(self, reading, build, axis, surface, digest, done=()):
+    def __init__(self, reading, build, axis, surface, skeleton, digest, done=()):
         self.reading = reading
         self.build = build
         self.axis = axis
         self.surface = surface
+        self.skeleton = skeleton
         self.digest = digest
         self.steps = done
 
     def dumps(self):
         return steps.dumps({"edition": _EDITION, "reading": self.reading, "build": self.build,
-                            "axis": self.axis, "surface": self.surface, "digest": self.digest,
-                            "steps": steps.to_plain(self.steps)})
+                            "axis": self.axis, "surface": self.surface, "skeleton": self.skeleton,
+                            "digest": self.digest, "steps": steps.to_plain(self.steps)})
 
     @classmethod
     def of(cls, obj):
@@ -39,7 +40,8 @@ class Recipe:
             if plain["edition"] != _EDITION:
                 raise source.SourceError(f"{obj.name} was made by another version of this add-on: "
                                          "simplify the shape anew")
-            return cls(*(dict(plain[key]) for key in ("reading", "build", "axis", "surface")),
+            return cls(*(dict(plain[key]) for key in ("reading", "build", "axis", "surface",
+                                                         "skeleton")),
                        str(plain["digest"]), steps.from_plain(plain["steps"]))
         except (KeyError, TypeError, ValueError, AttributeError) as error:
             raise source.SourceError(f"What {obj.name} was made from cannot be read any more: "

@@ -45,3 +45,10 @@ def new_curve(made, name, medial_mesh):
         spline.use_cyclic_u = closed
         spline.use_smooth = True
     return curve
+
+
+def notes(medial_mesh):
+    """What does not become a curve."""
+    sheets = len(medial_mesh.triangles)
+    return [f"{sheets:,} triangles round a cavity of the shape cannot become curves and are left "
+            "out"] if sheets else []

@@ -164,6 +164,29 @@ def edit_mode():
     assert bpy.context.view_layer.objects.active.mode == "OBJECT"
 
 
+def derived():
+    """Graph, curve skeleton and armature, each made with the axis selected, seen one after the other."""
+    axis = bpy.context.view_layer.objects.active
+    others = [axis, axis.vbm_axis.surface]
+    for number, operator in enumerate((bpy.ops.vbm.topology_graph, bpy.ops.vbm.curve_skeleton,
+                                       bpy.ops.vbm.make_armature)):
+        bpy.context.view_layer.objects.active = axis
+        invoke(operator)
+        yield ready
+        yield WAIT
+        made = bpy.context.view_layer.objects.active
+        assert made != axis and made.type == ("MESH", "CURVE", "ARMATURE")[number], made.type
+        axis.hide_set(True)
+        picture(f"axis-7-{made.type.lower()}")
+        axis.hide_set(False)
+        made.hide_set(True)
+    assert all(obj.name in bpy.data.objects for obj in others)
+    for obj in bpy.context.selected_objects:
+        obj.select_set(False)
+    axis.select_set(True)
+    bpy.context.view_layer.objects.active = axis
+
+
 def x_elsewhere():
     """With no part picked, and on other objects, X is Blender's own."""
     axis = bpy.context.view_layer.objects.active
@@ -171,7 +194,7 @@ def x_elsewhere():
     yield WAIT
     key("X")  # asks
     yield WAIT
-    picture("axis-7-x")
+    picture("axis-8-x")
     key("LEFTMOUSE")  # the answer lies under the mouse
     yield lambda: not any(obj.name.endswith("Axis") for obj in bpy.context.view_layer.objects)
     show(cube)
@@ -193,6 +216,7 @@ def story():
     yield from click_and_x()
     yield from locked()
     yield from edit_mode()
+    yield from derived()
     yield from x_elsewhere()
 
 
