@@ -2,9 +2,13 @@
 #include "arrays.h"
 #include "bind.h"
 #include "errors.h"
+#include "options.h"
 #include "progress.h"
 #include "reports.h"
 #include "signature.h"
+
+#include <cstring>
+#include <variant>
 
 namespace vbm::python {
 
@@ -22,6 +26,21 @@ const char *const kUnionMeasuresDoc =
     "overlap, and sum up to the whole. Of balls that are the same, one has the whole share.\n"
     "Returns a Measures. Raises InputError (a ball that is not finite or has a negative radius),\n"
     "LimitError, OutOfMemory, Cancelled, ArgumentError, TypeError.\n";
+
+const char *const kSurfaceDoc =
+    "A closed surface from any balls, oriented outward and manifold.\n\n"
+    "  balls           (n, 3) centres, or a Model, whose inner balls are taken\n"
+    "  radii           (n,) numbers, none negative; None with a Model\n"
+    "  keep            with a Model: (inner_count,) booleans, which of its inner balls are used\n";
+
+const char *const kSurfaceErrors =
+    "\nIts topology is that of the union's boundary, whatever the balls are: isolated ones, "
+    "chains,\n"
+    "rings and sheets are fine. With a Model, duplicate points are told by the samples that balls\n"
+    "touch. Surface.polygon_ball counts the balls given, or the model's.\n"
+    "Returns a Surface. Raises InputError (a ball that is not finite or has a negative radius),\n"
+    "NoInteriorError (no ball with a radius), LimitError, OutOfMemory, Cancelled, ArgumentError,\n"
+    "TypeError. Source: thesis 8.3.";
 
 template <class Get> auto viewed(Get get) {
   return [get](const py::object &self) {
@@ -44,6 +63,65 @@ Measures union_measures_of(const Arguments &given) {
   const View<double> radius_view{radii.data(), std::size_t(radii.size())};
   return run(given["progress"], [&](Context &context) {
     return union_measures(context, view_of_3(centers), radius_view);
+  });
+}
+
+// Where a parameter of the table is kept.
+struct Field {
+  const char *name;
+  std::variant<int32_t vbm_ball_surface_options::*, double vbm_ball_surface_options::*> member;
+};
+const Field kFields[] = {
+    {"style", &vbm_ball_surface_options::style},
+    {"bulge", &vbm_ball_surface_options::bulge},
+    {"bridge", &vbm_ball_surface_options::bridge},
+};
+
+BallSurfaceOptions surface_options(const Arguments &given) {
+  BallSurfaceOptions options;
+  for (const vbm_param &param : parameters()) {
+    if (std::strcmp(param.operation, "surface_from_balls") || !given.given(param.name)) continue;
+    for (const Field &field : kFields) {
+      if (std::strcmp(field.name, param.name)) continue;
+      const py::object value = given[param.name];
+      if (auto *item = std::get_if<int32_t vbm_ball_surface_options::*>(&field.member))
+        options.*(*item) = item_for(param, value);
+      else
+        options.*std::get<double vbm_ball_surface_options::*>(field.member) =
+            number_for(param, value);
+    }
+  }
+  return options;
+}
+
+Surface surface_of(const Arguments &given) {
+  const BallSurfaceOptions options = surface_options(given);
+  const py::object balls = given["balls"];
+  if (py::isinstance<Model>(balls)) {
+    if (given.given("radii") && !given["radii"].is_none())
+      bad_argument("radii are the model's own: give None, or centres and radii");
+    Bytes keep;
+    View<uint8_t> view;
+    if (const py::object value = given["keep"]; !value.is_none()) {
+      const py::array array = py::module_::import("numpy").attr("asarray")(value).cast<py::array>();
+      if (array.ndim() != 1 || (array.size() && array.dtype().kind() != 'b'))
+        bad_argument("keep must be an (n,) array of booleans, one for each inner ball");
+      keep = Bytes(array.attr("astype")("u1"));
+      view = {keep.data(), std::size_t(keep.size())};
+    }
+    const Model &model = balls.cast<const Model &>();
+    if (view.size == 0 && !given["keep"].is_none() && model.inner_count() > 0)
+      bad_argument("keep has 0 entries, but the model has " + std::to_string(model.inner_count()) +
+                   " inner balls");
+    return run(given["progress"],
+               [&](Context &context) { return surface_from_balls(context, model, view, options); });
+  }
+  if (!given["keep"].is_none()) bad_argument("keep goes with a Model: leave out balls yourself");
+  const Doubles centers = rows_of_3(balls, "balls");
+  const Doubles radii = radii_of(given["radii"], centers.shape(0));
+  const View<double> radius_view{radii.data(), std::size_t(radii.size())};
+  return run(given["progress"], [&](Context &context) {
+    return surface_from_balls(context, view_of_3(centers), radius_view, options);
   });
 }
 
@@ -76,6 +154,21 @@ void bind_balls(py::module_ &module) {
         return union_measures_of(signature.bind(args, kwargs));
       },
       signature.doc(std::string(kUnionMeasuresDoc) + kProgressDoc).c_str());
+
+  std::vector<Parameter> list{{"balls"}, {"radii", "None"}, {"keep", "None", true}};
+  for (Parameter &parameter : parameters_of("surface_from_balls"))
+    list.push_back(std::move(parameter));
+  list.push_back({"progress", "None", true});
+  const Signature surface("surface_from_balls", std::move(list));
+  module.def(
+      "surface_from_balls",
+      [surface](const py::args &args, const py::kwargs &kwargs) {
+        return surface_of(surface.bind(args, kwargs));
+      },
+      surface
+          .doc(std::string(kSurfaceDoc) + parameters_doc_of("surface_from_balls") + kProgressDoc +
+               kSurfaceErrors)
+          .c_str());
 }
 
 } // namespace vbm::python

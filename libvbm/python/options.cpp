@@ -114,6 +114,8 @@ int32_t enum_value(const char *operation, const char *parameter, py::handle name
       return to_enum(param, name);
   throw py::value_error(std::string("the library has no parameter ") + parameter);
 }
+double number_for(const vbm_param &param, py::handle value) { return to_double(param, value); }
+int32_t item_for(const vbm_param &param, py::handle value) { return to_enum(param, value); }
 
 bool is_build_option(const vbm_param &param) { return field_of(param); }
 

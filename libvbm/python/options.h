@@ -26,6 +26,16 @@ int32_t enum_value(const char *operation, const char *parameter, py::handle name
 /// A value of the table's labels or balls, by name.
 std::string enum_name(const char *parameter, int value);
 
+/// The table's parameters of an operation, as keyword-only ones with its defaults.
+std::vector<Parameter> parameters_of(const char *operation);
+
+/// What help() says about them.
+std::string parameters_doc_of(const char *operation);
+
+/// A caller's value for a parameter of the table. Throw TypeError, ArgumentError.
+double number_for(const vbm_param &param, py::handle value);
+int32_t item_for(const vbm_param &param, py::handle value);
+
 void bind_parameters(py::module_ &module);
 
 } // namespace vbm::python

@@ -82,17 +82,21 @@ std::string wrapped(std::string line, const std::string &words) {
 
 } // namespace
 
-std::vector<Parameter> build_parameters() {
+namespace {
+
+bool is_build_row(const vbm_param &param) { return is_build_option(param); }
+
+template <class Wanted> std::vector<Parameter> list_parameters(Wanted wanted) {
   std::vector<Parameter> list;
   for (const vbm_param &param : parameters())
-    if (is_build_option(param)) list.push_back({param.name, py::repr(default_of(param)), true});
+    if (wanted(param)) list.push_back({param.name, py::repr(default_of(param)), true});
   return list;
 }
 
-std::string build_parameters_doc() {
+template <class Wanted> std::string list_docs(Wanted wanted) {
   std::string text;
   for (const vbm_param &param : parameters()) {
-    if (!is_build_option(param)) continue;
+    if (!wanted(param)) continue;
     std::string name = std::string("  ") + param.name;
     name.resize(std::max(name.size() + 1, kIndent), ' ');
     std::string help = param.help;
@@ -105,6 +109,20 @@ std::string build_parameters_doc() {
                       "'" + std::string(param.enum_names[i]) + "': " + param.enum_helps[i]);
   }
   return text;
+}
+
+} // namespace
+
+std::vector<Parameter> build_parameters() { return list_parameters(is_build_row); }
+std::string build_parameters_doc() { return list_docs(is_build_row); }
+
+std::vector<Parameter> parameters_of(const char *operation) {
+  return list_parameters(
+      [&](const vbm_param &param) { return !std::strcmp(param.operation, operation); });
+}
+std::string parameters_doc_of(const char *operation) {
+  return list_docs(
+      [&](const vbm_param &param) { return !std::strcmp(param.operation, operation); });
 }
 
 std::string enum_name(const char *parameter, int value) {

@@ -64,6 +64,13 @@ const Field<S> kSurfaceFields[] = {
               "Vertices that stand where another stands, to keep the surface manifold."),
     VBM_FIELD(S, area, "Area of the triangles."),
     VBM_FIELD(S, volume, "Volume inside; positive."),
+    VBM_FIELD(S, hidden_balls, "From balls: those that are covered by others, or points."),
+    VBM_FIELD(S, singular_points, "From balls: where three spheres meet on the boundary."),
+    VBM_FIELD(S, merged_points, "Singular points that became one with another."),
+    VBM_FIELD(S, offset_points, "Singular points where three balls do not meet (thesis 8.3.5)."),
+    VBM_FIELD(S, added_points, "From balls: vertices that are no singular points."),
+    VBM_FIELD(S, gap_max, "From balls: largest distance of a triangle's middle from its sphere."),
+    VBM_FIELD(S, gap_mean, "The same on average, by area."),
 };
 
 using A = vbm_axis_report;

@@ -4,7 +4,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <map>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -59,10 +58,9 @@ struct VertexValues {
 };
 
 struct Outcome {
-  std::vector<NewLayer> layers;           // the last one is the host's current layer then
-  std::vector<VertexValues> values;       // at most one
-  std::vector<std::string> log;           // sentences for the user
-  std::map<std::string, double> measures; // numbers for scripts, by name
+  std::vector<NewLayer> layers;     // the last one is the host's current layer then
+  std::vector<VertexValues> values; // at most one
+  std::vector<std::string> log;     // sentences for the user
 };
 
 // Why a filter did nothing. The message is one sentence for the user.

@@ -1,4 +1,4 @@
-/* libvbm: unions of balls from anywhere: exact measures (thesis 7.9, 8.3).
+/* libvbm: unions of balls from anywhere: exact measures, and closed surfaces (thesis 7.9, 8.3).
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  *
@@ -44,6 +44,47 @@ VBM_API vbm_status vbm_measures_get_report(const vbm_measures *measures,
 /* Per ball given, its share of the volume, and of the area. */
 VBM_API const double *vbm_measures_ball_volumes(const vbm_measures *measures, size_t *count);
 VBM_API const double *vbm_measures_ball_areas(const vbm_measures *measures, size_t *count);
+
+/* ---- Surfaces from balls (8.3) ------------------------------------------------------------------ */
+
+typedef enum vbm_ball_style {
+  VBM_BALL_STYLE_SINGULAR_POINTS = 0 /* polygons through the points where three balls meet (8.3)     */
+} vbm_ball_style;
+
+typedef struct vbm_ball_surface_options {
+  size_t struct_size;
+  int32_t style;  /* vbm_ball_style; default SINGULAR_POINTS                                       */
+  double bulge;   /* singular points: where the middle of a polygon would be farther from its ball's
+                     sphere than this share of the radius, vertices on the sphere are added, and on long
+                     arcs; default 0.15, 0.001 to 1                                                  */
+  double bridge;  /* singular points: balls whose radii would meet if they were larger by this share
+                     are joined (8.3.5); default 0, 0 to 1                                           */
+} vbm_ball_surface_options;
+
+VBM_API void vbm_ball_surface_options_init(vbm_ball_surface_options *options, size_t struct_size);
+
+/* A closed surface, oriented outward and manifold, from any balls, without samples or outer balls.
+ *
+ * SINGULAR_POINTS: about a polygon for each ball. It has the topology of the union's boundary, by
+ * construction: of the dual shape of the balls, their radii grown by 1e-8 so that balls that touch do
+ * meet. Isolated balls, chains, rings and sheets are fine. Where the surface touches itself, vertices
+ * stand twice (split_vertices). Four balls or more through one point give one vertex.
+ *
+ * vbm_surface_polygon_ball() counts the balls given; vbm_surface_vertex_sample() is -1.
+ * Errors: ARGUMENT, INPUT (kind "ball"), NO_INTERIOR (no ball with a radius), LIMIT, MEMORY, CANCELLED.
+ * Source: thesis 8.3; Edelsbrunner, "The union of balls and its dual shape" (1995). */
+VBM_API vbm_status vbm_surface_from_balls(vbm_context *context, const double *centers,
+                                          const double *radii, size_t count,
+                                          const vbm_ball_surface_options *options,
+                                          vbm_surface **out);
+
+/* The same of a model's inner balls, or of those with 1 in `keep` (one byte per inner ball, or NULL for
+ * all). The samples that balls touch are known: duplicate points are told by them (7.4), and
+ * vertices that are samples carry exactly their coordinates. Polygon balls count the model's. */
+VBM_API vbm_status vbm_model_ball_surface(vbm_context *context, const vbm_model *model,
+                                          const uint8_t *keep, size_t keep_count,
+                                          const vbm_ball_surface_options *options,
+                                          vbm_surface **out);
 
 #ifdef __cplusplus
 }

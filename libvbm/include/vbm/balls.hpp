@@ -48,6 +48,34 @@ inline Measures union_measures(Context &context, View<double, 3> centers, View<d
   return measures;
 }
 
+struct BallSurfaceOptions : vbm_ball_surface_options {
+  BallSurfaceOptions() { vbm_ball_surface_options_init(this, sizeof(vbm_ball_surface_options)); }
+};
+
+inline Surface surface_from_balls(Context &context, View<double, 3> centers, View<double> radii,
+                                  const vbm_ball_surface_options &options = BallSurfaceOptions()) {
+  if (centers.size != radii.size)
+    throw Error(VBM_ERROR_ARGUMENT, "there must be as many radii as centres", "ball");
+  vbm_surface *out = nullptr;
+  const vbm_status status = vbm_surface_from_balls(context.handle(), centers.data, radii.data,
+                                                   centers.size, &options, &out);
+  Surface surface(out);
+  context.check(status);
+  return surface;
+}
+
+/// Empty `keep`: all inner balls.
+inline Surface surface_from_balls(Context &context, const Model &model,
+                                  View<std::uint8_t> keep = {},
+                                  const vbm_ball_surface_options &options = BallSurfaceOptions()) {
+  vbm_surface *out = nullptr;
+  const vbm_status status = vbm_model_ball_surface(context.handle(), model.handle(), keep.data,
+                                                   keep.size, &options, &out);
+  Surface surface(out);
+  context.check(status);
+  return surface;
+}
+
 } // namespace vbm
 
 #endif // VBM_BALLS_HPP

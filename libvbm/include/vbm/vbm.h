@@ -294,6 +294,14 @@ typedef struct vbm_surface_report {
   int64_t genus;          /* handles in all: components - euler / 2                                */
   uint64_t split_vertices; /* vertices that stand where another stands, to keep the surface manifold */
   double area, volume;    /* of the triangles; volume is positive                                  */
+  /* Surfaces from balls (balls.h); 0 for others. */
+  uint64_t hidden_balls;    /* balls that have no part in the union's boundary or inside: covered, points */
+  uint64_t singular_points; /* where three balls' spheres meet, on the union's boundary              */
+  uint64_t merged_points;   /* of them, those that became one with another                           */
+  uint64_t offset_points;   /* of them, those where three balls do not meet (8.3.5)                  */
+  uint64_t added_points;    /* vertices that are no singular points: on arcs and within patches      */
+  double gap_max, gap_mean; /* distance of triangles' middles from the spheres they stand for; the mean is
+                               by area                                                              */
 } vbm_surface_report;
 
 VBM_API vbm_status vbm_surface_get_report(const vbm_surface *surface, vbm_surface_report *report);

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Unions of any balls: measures.
+// Unions of any balls: measures and surfaces.
+#include "ball_surface/singular_points.h"
 #include "capi/guard.h"
 #include "capi/views.h"
+#include "core/tolerances.h"
 #include "dual/ball_list.h"
 #include "measure/union_measures.h"
 
@@ -26,6 +28,29 @@ vbm_measures *measure_list(const BallList &list, std::size_t count, Progress &pr
   return new vbm_measures(std::move(result));
 }
 
+vbm_surface *surface_of(const UnionInput &set, const vbm_ball_surface_options &options,
+                        Progress &progress) {
+  return new vbm_surface{singular_point_surface(set, options, progress)};
+}
+
+UnionInput set_of(BallList list) {
+  return {list.frame, std::move(list.balls), std::move(list.input), list.points, 0, nullptr};
+}
+
+UnionInput set_of(const Model &model, const uint8_t *keep, size_t keep_count) {
+  if (keep && keep_count != model.inner)
+    throw Error(VBM_ERROR_ARGUMENT, "keep has " + std::to_string(keep_count) +
+                                        " entries, but the model has " +
+                                        std::to_string(model.inner) + " inner balls");
+  UnionInput set{model.samples.frame, {}, {}, 0, kModelTouch, &model};
+  for (std::size_t b = 0; b < model.inner; ++b) {
+    if (keep && !keep[b]) continue;
+    set.balls.push_back(model.balls[b]);
+    set.number.push_back(int32_t(b));
+  }
+  return set;
+}
+
 } // namespace
 
 extern "C" {
@@ -35,6 +60,26 @@ vbm_status vbm_union_measures(vbm_context *context, const double *centers, const
   return guarded(context, out, [&](Progress &progress) {
     progress.stage("union of balls", 1);
     return measure_list(ball_list(centers, radii, count, progress), count, progress);
+  });
+}
+
+vbm_status vbm_surface_from_balls(vbm_context *context, const double *centers, const double *radii,
+                                  size_t count, const vbm_ball_surface_options *options,
+                                  vbm_surface **out) {
+  return guarded(context, out, [&](Progress &progress) {
+    const vbm_ball_surface_options o = read_options(options);
+    progress.stage("balls", 0.02);
+    return surface_of(set_of(ball_list(centers, radii, count, progress)), o, progress);
+  });
+}
+
+vbm_status vbm_model_ball_surface(vbm_context *context, const vbm_model *model, const uint8_t *keep,
+                                  size_t keep_count, const vbm_ball_surface_options *options,
+                                  vbm_surface **out) {
+  return guarded(context, out, [&](Progress &progress) {
+    if (!model) throw Error(VBM_ERROR_ARGUMENT, "model is NULL");
+    const vbm_ball_surface_options o = read_options(options);
+    return surface_of(set_of(model->model, keep, keep_count), o, progress);
   });
 }
 

@@ -77,5 +77,6 @@ vbm_prune_options read_options(const vbm_prune_options *options);
 vbm_axis_surface_options read_options(const vbm_axis_surface_options *options);
 vbm_simplify_options read_options(const vbm_simplify_options *options);
 vbm_curve_skeleton_options read_options(const vbm_curve_skeleton_options *options);
+vbm_ball_surface_options read_options(const vbm_ball_surface_options *options);
 
 } // namespace vbm::impl

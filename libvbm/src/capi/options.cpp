@@ -66,6 +66,15 @@ vbm_curve_skeleton_options curve_skeleton_defaults() {
   return o;
 }
 
+vbm_ball_surface_options ball_surface_defaults() {
+  vbm_ball_surface_options o{};
+  o.struct_size = sizeof o;
+  o.style = VBM_BALL_STYLE_SINGULAR_POINTS;
+  o.bulge = 0.15;
+  o.bridge = 0;
+  return o;
+}
+
 [[noreturn]] void bad_option(const char *name, const std::string &why) {
   throw Error(VBM_ERROR_ARGUMENT, std::string("option ") + name + " " + why, "option", {}, 0);
 }
@@ -144,6 +153,16 @@ vbm_curve_skeleton_options read_options(const vbm_curve_skeleton_options *option
   return o;
 }
 
+vbm_ball_surface_options read_options(const vbm_ball_surface_options *options) {
+  const vbm_ball_surface_options o =
+      read(options, ball_surface_defaults(), "vbm_ball_surface_options_init");
+  if (o.style < VBM_BALL_STYLE_SINGULAR_POINTS || o.style > VBM_BALL_STYLE_SINGULAR_POINTS)
+    bad_option("style", "is " + std::to_string(o.style) + ": use 0 (vbm_ball_style)");
+  if (!(o.bulge >= 0.001 && o.bulge <= 1)) bad_option("bulge", "is outside its range 0.001 to 1");
+  if (!(o.bridge >= 0 && o.bridge <= 1)) bad_option("bridge", "is outside its range 0 to 1");
+  return o;
+}
+
 } // namespace vbm::impl
 
 extern "C" {
@@ -165,6 +184,9 @@ void vbm_simplify_options_init(vbm_simplify_options *options, size_t struct_size
 }
 void vbm_curve_skeleton_options_init(vbm_curve_skeleton_options *options, size_t struct_size) {
   vbm::impl::init(options, struct_size, vbm::impl::curve_skeleton_defaults());
+}
+void vbm_ball_surface_options_init(vbm_ball_surface_options *options, size_t struct_size) {
+  vbm::impl::init(options, struct_size, vbm::impl::ball_surface_defaults());
 }
 
 } // extern "C"

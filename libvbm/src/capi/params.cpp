@@ -46,6 +46,11 @@ constexpr const char *kMeasureHelps[] = {
     "The angle in degrees under which its two sides are seen from the axis",
     "Its share of the exact volume of all the inner balls together, 0 to 1"};
 
+constexpr const char *kBallStyleNames[] = {"singular_points"};
+constexpr const char *kBallStyleLabels[] = {"Singular Points"};
+constexpr const char *kBallStyleHelps[] = {
+    "About one polygon a ball, through the points where three balls meet"};
+
 // By row: operation, name, label, help, unit, type, items of an enum, default, minimum, maximum.
 constexpr vbm_param kParams[] = {
     {sizeof(vbm_param), "build", "balls", "Balls", "Which of the balls inside the shape are kept",
@@ -113,6 +118,17 @@ constexpr vbm_param kParams[] = {
     {sizeof(vbm_param), "curve_skeleton", "spacing", "Ball Spacing",
      "Neighbouring balls are about this many times half the shape's width apart", "ratio",
      VBM_PARAM_FLOAT, 0, nullptr, nullptr, nullptr, 0.5, 0.05, 100},
+    {sizeof(vbm_param), "surface_from_balls", "style", "Style", "What kind of surface is made", "",
+     VBM_PARAM_ENUM, 1, kBallStyleNames, kBallStyleLabels, kBallStyleHelps,
+     VBM_BALL_STYLE_SINGULAR_POINTS, VBM_BALL_STYLE_SINGULAR_POINTS,
+     VBM_BALL_STYLE_SINGULAR_POINTS},
+    {sizeof(vbm_param), "surface_from_balls", "bulge", "Bulge",
+     "Add vertices on a ball where its polygon would lie farther from the sphere than this share "
+     "of the radius",
+     "ratio", VBM_PARAM_FLOAT, 0, nullptr, nullptr, nullptr, 0.15, 0.001, 1},
+    {sizeof(vbm_param), "surface_from_balls", "bridge", "Bridge Gaps",
+     "Join balls that would meet if their radii were larger by this share", "ratio",
+     VBM_PARAM_FLOAT, 0, nullptr, nullptr, nullptr, 0, 0, 1},
 };
 
 } // namespace

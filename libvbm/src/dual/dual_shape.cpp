@@ -47,6 +47,7 @@ private:
   /// those tetrahedra is nearer.
   void find_triangles() {
     triangle_.assign(4 * shape_.cells.size(), -1);
+    shape_.facet_in.assign(shape_.cells.size(), 0);
     for (std::size_t c = 0; c < shape_.cells.size(); ++c) {
       progress_.tick(shape_.cells.size() + c, 4 * shape_.cells.size());
       const Cell &cell = shape_.cells[c];
@@ -63,6 +64,8 @@ private:
             continue;
         }
         triangle_[code] = triangle_[other] = int32_t(shape_.triangles.size());
+        shape_.facet_in[c] |= uint8_t(1 << i);
+        shape_.facet_in[other >> 2] |= uint8_t(1 << (other & 3));
         shape_.triangles.push_back({ball, code, {uint8_t(!in0), uint8_t(!in1)}});
       }
     }

@@ -42,7 +42,8 @@ struct DualShape {
   std::vector<uint8_t> vertex; // per ball: 1 if it is in the shape
   std::array<Vec3, 4> corner;  // of the far tetrahedron: number vertex.size() and on
   std::vector<PowerDiagram::Cell> cells;
-  std::vector<uint8_t> cell_in; // per cell of the diagram: 1 if it is in the shape
+  std::vector<uint8_t> cell_in;  // per cell of the diagram: 1 if it is in the shape
+  std::vector<uint8_t> facet_in; // per cell, bit i: facet i is in the shape
   std::vector<Triangle> triangles;
   std::vector<Edge> edges;
   std::vector<Turn> turns;

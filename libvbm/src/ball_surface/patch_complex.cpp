@@ -1,0 +1,456 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Thesis 8.3.3 and 8.3.4: singular points of the dual shape's regular and singular triangles, and
+// the walk round every vertex of its hull that connects them.
+//
+// Where the thesis compares directions (Figure 8.5), this turns about an edge through tetrahedra
+// that are not in the shape: the right neighbour of a triangle is the next triangle met, and the
+// right singular point of either is the one on the side of these tetrahedra. Nothing is measured,
+// so no rounding can lead the walk through the hull. Where the thesis takes a vertex to have one
+// polygon, every component of its sphere outside the other balls is a patch of its own, with as
+// many loops of arcs as there are components of the shape round it; those are found by searching
+// the tetrahedra outside the shape at the vertex.
+//
+// 8.3.5: three balls of a triangle of the dual shape always meet. They do not where the shape is
+// that of larger balls (bridged); the singular point is then the orthocentre moved by the mean
+// radius.
+#include "ball_surface/patch_complex.h"
+
+#include "core/disjoint_sets.h"
+#include "core/progress.h"
+#include "core/tolerances.h"
+#include "dual/orthospheres.h"
+#include "dual/wedges.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace vbm::impl {
+namespace {
+
+constexpr double kPi = 3.14159265358979323846;
+
+/// Radians. Nearer to none or a full turn than this, an angle between two triangles is found by
+/// adding up those of the tetrahedra between, which cannot mistake one for the other.
+constexpr double kCertainAngle = 1e-3;
+
+/// A circle is cut into at least so many pieces.
+constexpr int kLeastPieces = 3;
+
+/// Share of the radius: a singular point's blur is at most that.
+constexpr double kMostBlur = 1e-3;
+
+class Search {
+public:
+  Search(const DualShape &shape, const std::vector<Ball> &balls, const PatchOptions &options,
+         Progress &progress)
+      : shape_(shape), options_(options), progress_(progress) {
+    if (!options.bridged) return;
+    for (std::size_t b = 0; b < balls.size(); ++b)
+      true_site_.push_back(changed_site(balls[b], int32_t(b), false));
+  }
+
+  PatchComplex run() {
+    make_points();
+    make_arcs();
+    link_darts();
+    make_patches();
+    return std::move(out_);
+  }
+
+private:
+  using Dart = PatchComplex::Dart;
+
+  const Site &true_site(int32_t ball) const {
+    return options_.bridged ? true_site_[ball] : shape_.site[ball];
+  }
+
+  // ---- Singular points
+
+  void make_points() {
+    const std::size_t count = shape_.triangles.size();
+    point_.assign(2 * count, -1);
+    half_angle_chord_.resize(count);
+    center_.resize(count);
+    for (std::size_t t = 0; t < count; ++t) {
+      progress_.tick(t, 4 * count);
+      const DualShape::Triangle &triangle = shape_.triangles[t];
+      if (!triangle.open[0] && !triangle.open[1]) continue;
+      const auto &b = triangle.ball;
+      const Vec3 y = triangle_center(shape_.site[b[0]], shape_.site[b[1]], shape_.site[b[2]]);
+      center_[t] = center_of(shape_.site[b[0]]) + y;
+      half_angle_chord_[t] = chord_of(shape_.site[b[0]], y);
+      for (int side = 0; side < 2; ++side)
+        if (triangle.open[side]) add_point(int32_t(t), side, y);
+    }
+    out_.singular_points = out_.position.size();
+    start_.assign(3 * out_.singular_points, -1);
+    end_.assign(3 * out_.singular_points, -1);
+  }
+
+  static double chord_of(const Site &s, const Vec3 &y) {
+    const double h = length(y);
+    return std::sqrt(std::max(0.0, (s.r - h) * (s.r + h)));
+  }
+
+  void add_point(int32_t t, int side, Vec3 y) {
+    const auto &b = shape_.triangles[t].ball;
+    const Site &p = true_site(b[0]), &q = true_site(b[1]), &r = true_site(b[2]);
+    const Vec3 e = center_of(q) - center_of(p), f = center_of(r) - center_of(p), w = cross(e, f),
+               normal = unit(w);
+    double chord = half_angle_chord_[t];
+    if (options_.bridged) {
+      y = triangle_center(p, q, r);
+      chord = chord_of(p, y);
+      if (!(chord > 0)) {
+        chord = (p.r + q.r + r.r) / 3;
+        ++out_.offset_points;
+      }
+    }
+    point_[2 * t + side] = int32_t(out_.position.size());
+    out_.code.push_back(2 * t + side);
+    out_.position.push_back(center_of(p) + y + normal * (side ? chord : -chord));
+    // What the radii were changed by moves the planes between the balls: by kTouch of the radii
+    // where these differ, by kPowerChange of their squares in any case.
+    const double le = length(e), lf = length(f), area = length(w);
+    const double lift = 2 * kPowerChange * p.r * p.r;
+    const double flat =
+        ((lift + 2 * kTouch * p.r * le) * lf + (lift + 2 * kTouch * p.r * lf) * le) / (2 * area);
+    const double blur = flat * (1 + length(y) / chord) + 2 * kTouch * p.r * p.r / chord;
+    out_.blur.push_back(blur < kMostBlur * p.r ? blur : kMostBlur * p.r);
+  }
+
+  // ---- Arcs
+
+  void make_arcs() {
+    const std::size_t count = shape_.edges.size();
+    for (std::size_t e = 0; e < count; ++e) {
+      progress_.tick(count + e, 4 * count);
+      const DualShape::Edge &edge = shape_.edges[e];
+      if (edge.begin == edge.end) {
+        const Axis3 axis(shape_.site[edge.a], shape_.site[edge.b]);
+        add_circle(uint32_t(e), axis);
+        continue;
+      }
+      bool any = false;
+      for (uint32_t t = edge.begin; t < edge.end; ++t) any |= shape_.turns[t].outside != 0;
+      if (!any) continue;
+      const Axis3 axis(shape_.site[edge.a], shape_.site[edge.b]);
+      for (uint32_t t = edge.begin; t < edge.end; ++t)
+        if (shape_.turns[t].outside) add_arc(uint32_t(e), axis, t);
+    }
+  }
+
+  int pieces(const DualShape::Edge &edge, const Axis3 &axis, double angle) const {
+    const double r = std::min(shape_.site[edge.a].r, shape_.site[edge.b].r);
+    const double sagitta = options_.bulge * r;
+    if (axis.radius * (1 - std::cos(std::min(angle, 2 * kPi) / 2)) <= sagitta) return 1;
+    const double most = 2 * std::acos(std::max(-1.0, 1 - sagitta / axis.radius));
+    return std::max(1, int(std::ceil(angle / most - 1e-9)));
+  }
+
+  Vec3 direction_of(const DualShape::Edge &edge, const Axis3 &axis, uint32_t turn) const {
+    return unit(
+        axis.perpendicular(shape_.position(shape_.turns[turn].ball) - shape_.position(edge.a)));
+  }
+
+  /// Half the angle of the circle that is inside the turn's ball.
+  double half_angle(const Axis3 &axis, uint32_t turn, const Vec3 &direction) const {
+    const int32_t t = shape_.turns[turn].triangle;
+    return std::atan2(half_angle_chord_[t], dot(center_[t] - axis.center, direction));
+  }
+
+  void add_arc(uint32_t e, const Axis3 &axis, uint32_t turn) {
+    const DualShape::Edge &edge = shape_.edges[e];
+    const uint32_t next = next_turn(edge, turn);
+    const Vec3 from = direction_of(edge, axis, turn), to = direction_of(edge, axis, next);
+    double wedge =
+        turn == next ? 2 * kPi : std::atan2(dot(axis.direction, cross(from, to)), dot(from, to));
+    if (turn != next && std::fabs(wedge) < kCertainAngle)
+      wedge = outside_angle(shape_, edge, axis, turn);
+    else if (wedge < 0)
+      wedge += 2 * kPi;
+    const double begin = half_angle(axis, turn, from);
+    const double angle = std::max(0.0, wedge - begin - half_angle(axis, next, to));
+    const int n = pieces(edge, axis, angle);
+    // From the triangle's singular point on the side of the wedge to the next one's; that side of
+    // the next is the other one than the one its own wedge is on.
+    const DualShape::Turn &t = shape_.turns[turn], &u = shape_.turns[next];
+    const int32_t first = point_[2 * t.triangle + t.side],
+                  last = point_[2 * u.triangle + 1 - u.side];
+    const int32_t dart = int32_t(out_.darts.size());
+    add_pieces(e, turn, begin, begin + angle, n, first, last);
+    const int32_t final_dart = int32_t(out_.darts.size()) - 2;
+    // Ball b's darts run along the arc, a's against it.
+    start_[corner(t.triangle, first, edge.b)] = dart + 1;
+    end_[corner(u.triangle, last, edge.b)] = final_dart + 1;
+    start_[corner(u.triangle, last, edge.a)] = final_dart;
+    end_[corner(t.triangle, first, edge.a)] = dart;
+  }
+
+  std::size_t corner(int32_t triangle, int32_t point, int32_t ball) const {
+    const auto &b = shape_.triangles[triangle].ball;
+    return 3 * std::size_t(point) + (b[1] == ball) + 2 * (b[2] == ball);
+  }
+
+  void add_circle(uint32_t e, const Axis3 &axis) {
+    const DualShape::Edge &edge = shape_.edges[e];
+    const int n = std::max(kLeastPieces, pieces(edge, axis, 2 * kPi));
+    const int32_t first = int32_t(out_.position.size()), dart = int32_t(out_.darts.size());
+    out_.arcs.push_back({e, edge.end, 0, 0});
+    add_vertex(arc_point(shape_, out_.arcs.back(), 0));
+    out_.arcs.pop_back();
+    add_pieces(e, edge.end, 0, 2 * kPi, n, first, first);
+    const int32_t last = int32_t(out_.darts.size()) - 2;
+    set_next(last + 1, dart + 1);
+    set_next(dart, last);
+  }
+
+  int32_t add_vertex(const Vec3 &p) {
+    out_.position.push_back(p);
+    out_.blur.push_back(0);
+    return int32_t(out_.position.size()) - 1;
+  }
+
+  void add_pieces(uint32_t e, uint32_t turn, double begin, double end, int n, int32_t first,
+                  int32_t last) {
+    int32_t at = first;
+    for (int k = 0; k < n; ++k) {
+      const double from = begin + (end - begin) * k / n, to = begin + (end - begin) * (k + 1) / n;
+      const int32_t arc = int32_t(out_.arcs.size()), dart = int32_t(out_.darts.size());
+      out_.arcs.push_back({e, turn, from, to});
+      const int32_t there = k + 1 == n ? last : add_vertex(arc_point(shape_, out_.arcs.back(), to));
+      out_.darts.push_back({there, -1, -1, dart + 1, -1, arc, false});
+      out_.darts.push_back({at, -1, -1, dart, -1, arc, true});
+      if (k > 0) {
+        set_next(dart - 1, dart + 1);
+        set_next(dart, dart - 2);
+      }
+      at = there;
+    }
+  }
+
+  void set_next(int32_t dart, int32_t next) {
+    out_.darts[dart].next = next;
+    out_.darts[next].previous = dart;
+  }
+
+  void link_darts() {
+    for (std::size_t c = 0; c < start_.size(); ++c) set_next(end_[c], start_[c]);
+  }
+
+  // ---- Patches
+
+  int32_t ball_of(const Dart &d) const {
+    const DualShape::Edge &edge = shape_.edges[out_.arcs[d.arc].edge];
+    return d.forward ? edge.b : edge.a;
+  }
+
+  void make_patches() {
+    std::vector<uint8_t> split = balls_with_split_links();
+    std::vector<std::vector<int32_t>> loops_of; // of balls with split links
+    std::vector<int32_t> split_number(shape_.vertex.size(), -1);
+    for (std::size_t d = 0; d < out_.darts.size(); ++d) {
+      progress_.tick(3 * out_.darts.size() + d, 4 * out_.darts.size());
+      if (out_.darts[d].patch >= 0) continue;
+      const int32_t ball = ball_of(out_.darts[d]), patch = int32_t(out_.patches.size());
+      int32_t darts = 0;
+      for (int32_t at = int32_t(d); out_.darts[at].patch < 0; at = out_.darts[at].next, ++darts)
+        out_.darts[at].patch = patch;
+      out_.patches.push_back({ball, 1, darts, false});
+      if (!split[ball]) continue;
+      if (split_number[ball] < 0) {
+        split_number[ball] = int32_t(loops_of.size());
+        loops_of.emplace_back();
+      }
+      loops_of[split_number[ball]].push_back(int32_t(d));
+    }
+    for (const std::vector<int32_t> &loops : loops_of) {
+      progress_.tick(1, 1);
+      if (loops.size() > 1) join_loops(loops);
+    }
+    find_wrapping();
+    drop_joined();
+    std::vector<uint8_t> has_edge(shape_.vertex.size(), 0);
+    for (const DualShape::Edge &e : shape_.edges) has_edge[e.a] = has_edge[e.b] = 1;
+    for (std::size_t b = 0; b < has_edge.size(); ++b)
+      if (shape_.vertex[b] && !has_edge[b]) out_.patches.push_back({int32_t(b), 0, 0, true});
+  }
+
+  /// Balls round which the shape is not connected: only these can have patches of several loops.
+  std::vector<uint8_t> balls_with_split_links() {
+    std::vector<int32_t> edge_of(3 * shape_.triangles.size());
+    for (std::size_t e = 0; e < shape_.edges.size(); ++e)
+      for (uint32_t t = shape_.edges[e].begin; t < shape_.edges[e].end; ++t) {
+        const DualShape::Turn &turn = shape_.turns[t];
+        const auto &b = shape_.triangles[turn.triangle].ball;
+        edge_of[3 * turn.triangle + (b[1] == turn.ball) + 2 * (b[2] == turn.ball)] = int32_t(e);
+      }
+    const auto end_at = [&](int32_t e, int32_t ball) {
+      return 2 * e + (shape_.edges[e].b == ball);
+    };
+    DisjointSets ends(2 * shape_.edges.size());
+    for (std::size_t t = 0; t < shape_.triangles.size(); ++t) {
+      progress_.tick(2 * shape_.triangles.size() + t, 4 * shape_.triangles.size());
+      for (int k = 0; k < 3; ++k) {
+        const int32_t ball = shape_.triangles[t].ball[k];
+        ends.unite(end_at(edge_of[3 * t + (k + 1) % 3], ball),
+                   end_at(edge_of[3 * t + (k + 2) % 3], ball));
+      }
+    }
+    std::vector<int32_t> set(shape_.vertex.size(), -1);
+    std::vector<uint8_t> split(shape_.vertex.size(), 0);
+    for (std::size_t e = 0; e < shape_.edges.size(); ++e)
+      for (int end = 0; end < 2; ++end) {
+        const int32_t ball = end ? shape_.edges[e].b : shape_.edges[e].a;
+        const int32_t s = ends.find(int32_t(2 * e) + end);
+        if (set[ball] < 0)
+          set[ball] = s;
+        else if (set[ball] != s)
+          split[ball] = 1;
+      }
+    return split;
+  }
+
+  /// Loops of one ball that are of one patch: between them there are only tetrahedra outside.
+  void join_loops(const std::vector<int32_t> &loops) {
+    const int32_t ball = out_.patches[out_.darts[loops[0]].patch].ball;
+    mark_.resize(shape_.cells.size(), -1);
+    std::vector<int32_t> stack, seen;
+    for (int32_t loop : loops) {
+      const PatchComplex::Arc &arc = out_.arcs[out_.darts[loop].arc];
+      const DualShape::Edge &edge = shape_.edges[arc.edge];
+      const int32_t cell = arc.turn == edge.end ? edge.cell : shape_.turns[arc.turn].cell;
+      const int32_t patch = out_.darts[loop].patch;
+      if (mark_[cell] >= 0) {
+        join(loop, mark_[cell]);
+        continue;
+      }
+      stack.assign(1, cell);
+      mark_[cell] = patch;
+      seen.push_back(cell);
+      while (!stack.empty()) {
+        const int32_t at = stack.back();
+        stack.pop_back();
+        const PowerDiagram::Cell &c = shape_.cells[at];
+        for (int k = 0; k < 4; ++k) {
+          if (c.ball[k] == ball || (shape_.facet_in[at] >> k & 1)) continue;
+          const int32_t there = c.neighbor[k] >> 2;
+          if (mark_[there] >= 0) continue;
+          mark_[there] = patch;
+          seen.push_back(there);
+          stack.push_back(there);
+        }
+      }
+    }
+    for (int32_t cell : seen) mark_[cell] = -1;
+  }
+
+  void join(int32_t loop, int32_t patch) {
+    PatchComplex::Patch &gone = out_.patches[out_.darts[loop].patch], &kept = out_.patches[patch];
+    ++kept.loops;
+    kept.darts += gone.darts;
+    gone.loops = -1;
+    for (int32_t at = loop; out_.darts[at].patch != patch; at = out_.darts[at].next)
+      out_.darts[at].patch = patch;
+  }
+
+  /// A loop that turns the wrong way is that of a large patch, or of one that is thinner than
+  /// rounding.
+  void find_wrapping() {
+    std::vector<uint8_t> done(out_.patches.size(), 0);
+    for (std::size_t d = 0; d < out_.darts.size(); ++d) {
+      PatchComplex::Patch &patch = out_.patches[out_.darts[d].patch];
+      if (patch.loops != 1 || done[out_.darts[d].patch]) continue;
+      done[out_.darts[d].patch] = 1;
+      const Vec3 c = center_of(shape_.site[patch.ball]), origin = out_.position[out_.darts[d].from];
+      Vec3 normal, sum;
+      for (int32_t at = out_.darts[d].next; at != int32_t(d); at = out_.darts[at].next) {
+        const Vec3 p = out_.position[out_.darts[at].from];
+        normal += cross(p - origin, out_.position[out_.to(out_.darts[at])] - origin);
+        sum += p - c;
+      }
+      if (dot(normal, sum + (origin - c)) > 0) continue;
+      patch.wraps = solid_angle(int32_t(d), patch) > kWraps;
+    }
+  }
+
+  /// Of a patch of one loop, by the theorem of Gauss and Bonnet.
+  double solid_angle(int32_t first, const PatchComplex::Patch &patch) const {
+    const Site &ball = shape_.site[patch.ball];
+    const Vec3 c = center_of(ball);
+    double sum = 2 * kPi;
+    int32_t at = first;
+    do {
+      const Dart &d = out_.darts[at], &next = out_.darts[d.next];
+      const PatchComplex::Arc &arc = out_.arcs[d.arc];
+      const DualShape::Edge &edge = shape_.edges[arc.edge];
+      const Axis3 axis(shape_.site[edge.a], shape_.site[edge.b]);
+      sum += (d.forward ? axis.height_b : axis.height_a) / ball.r * (arc.to - arc.from);
+      if (arc.edge != out_.arcs[next.arc].edge || d.next == at) {
+        const Vec3 u = unit(out_.position[next.from] - c);
+        const Vec3 p = toward(arc.edge, patch.ball),
+                   q = toward(out_.arcs[next.arc].edge, patch.ball);
+        const Vec3 g = p - u * dot(p, u), h = q - u * dot(q, u);
+        sum -= std::atan2(length(cross(g, h)), dot(g, h));
+      }
+      at = d.next;
+    } while (at != first);
+    return sum;
+  }
+
+  /// The direction from a ball's centre to that of the other ball of an edge.
+  Vec3 toward(uint32_t e, int32_t ball) const {
+    const DualShape::Edge &edge = shape_.edges[e];
+    const Vec3 d = unit(center_of(shape_.site[edge.b]) - center_of(shape_.site[edge.a]));
+    return edge.a == ball ? d : -d;
+  }
+
+  void drop_joined() {
+    std::vector<int32_t> number(out_.patches.size());
+    std::size_t kept = 0;
+    for (std::size_t p = 0; p < out_.patches.size(); ++p) {
+      number[p] = int32_t(kept);
+      if (out_.patches[p].loops > 0) out_.patches[kept++] = out_.patches[p];
+    }
+    out_.patches.resize(kept);
+    for (Dart &d : out_.darts) d.patch = number[d.patch];
+  }
+
+  const DualShape &shape_;
+  PatchOptions options_;
+  Progress &progress_;
+  std::vector<Site> true_site_;
+  PatchComplex out_;
+  std::vector<int32_t> point_;           // by triangle and side
+  std::vector<double> half_angle_chord_; // per triangle: from its orthocentre to where three meet
+  std::vector<Vec3> center_;             // per triangle: its orthocentre
+  std::vector<int32_t> start_,
+      end_;                   // by singular point and ball of its triangle: the patch's darts
+  std::vector<int32_t> mark_; // per cell: the patch that is searched from
+};
+
+} // namespace
+
+Vec3 arc_point(const DualShape &shape, const PatchComplex::Arc &arc, double angle) {
+  const DualShape::Edge &edge = shape.edges[arc.edge];
+  const Axis3 axis(shape.site[edge.a], shape.site[edge.b]);
+  Vec3 u;
+  if (arc.turn == edge.end) { // any direction: across the axis's smallest coordinate
+    const Vec3 &d = axis.direction;
+    const double x = std::fabs(d.x), y = std::fabs(d.y), z = std::fabs(d.z);
+    u = x <= y && x <= z ? Vec3{1, 0, 0} : y <= z ? Vec3{0, 1, 0} : Vec3{0, 0, 1};
+    u = unit(axis.perpendicular(u));
+  } else {
+    u = unit(
+        axis.perpendicular(shape.position(shape.turns[arc.turn].ball) - shape.position(edge.a)));
+  }
+  const Vec3 v = cross(axis.direction, u);
+  return axis.center + (u * std::cos(angle) + v * std::sin(angle)) * axis.radius;
+}
+
+PatchComplex patch_complex(const DualShape &shape, const std::vector<Ball> &balls,
+                           const PatchOptions &options, Progress &progress) {
+  return Search(shape, balls, options, progress).run();
+}
+
+} // namespace vbm::impl

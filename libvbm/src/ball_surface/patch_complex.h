@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The boundary of a union of balls as a complex: patches of spheres, arcs between two, singular
+// points between three.
+#pragma once
+
+#include "dual/dual_shape.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace vbm::impl {
+
+class Progress;
+
+struct PatchOptions {
+  double bulge = 0.1;   // see vbm_ball_surface_options
+  bool bridged = false; // the dual shape is that of larger balls than `balls`
+};
+
+/// A closed surface whatever the balls are: every arc has two sides, every singular point three
+/// arcs. Long arcs and whole circles are cut into pieces.
+struct PatchComplex {
+  /// One side of a piece of an arc; the patch is on its left, seen from outside.
+  struct Dart {
+    int32_t from; // vertex
+    int32_t next, previous, twin;
+    int32_t patch;
+    int32_t arc;
+    bool forward; // the way the arc runs
+  };
+  /// A piece of a circle: from angle `from` to `to`, counter-clockwise about the edge a to b.
+  struct Arc {
+    uint32_t edge;
+    uint32_t turn; // angle 0 is in the direction of its ball; edge.end for whole circles
+    double from, to;
+  };
+  struct Patch {
+    int32_t ball;
+    int32_t loops; // of darts round it: 1 for a disk, 0 for a whole sphere
+    int32_t darts; // in all its loops
+    bool wraps;    // its solid angle is more than kWraps, whatever its loop looks like
+  };
+
+  std::vector<Vec3> position; // of vertices, unit frame
+  std::vector<double> blur;   // how far the balls' changed radii may have moved it
+  std::vector<int32_t> code;  // of singular points: 2 * triangle + side
+  std::vector<Dart> darts;
+  std::vector<Arc> arcs;
+  std::vector<Patch> patches;
+  std::size_t offset_points = 0;   // where three balls do not meet (8.3.5)
+  std::size_t singular_points = 0; // vertices 0 .. singular_points - 1; others are within arcs
+
+  int32_t to(const Dart &d) const { return darts[d.twin].from; }
+};
+
+/// The complex of a dual shape. `balls` are those whose spheres vertices lie on: the shape's own,
+/// or smaller ones.
+PatchComplex patch_complex(const DualShape &shape, const std::vector<Ball> &balls,
+                           const PatchOptions &options, Progress &progress);
+
+/// Steradians.
+inline constexpr double kWraps = 3.14;
+
+/// The point of an arc at an angle.
+Vec3 arc_point(const DualShape &shape, const PatchComplex::Arc &arc, double angle);
+
+} // namespace vbm::impl
