@@ -35,6 +35,7 @@ void label_cells(Round &round, Progress &progress) {
   std::vector<float> confidence(round.cells.size());
   round.inside.resize(round.cells.size());
   for (std::size_t c = 0; c < round.cells.size(); ++c) {
+    progress.tick(1, 1);
     round.inside[c] = round.labels.inside[round.balls.of_cell[c]];
     confidence[c] = round.labels.confidence[round.balls.of_cell[c]];
   }
@@ -51,8 +52,8 @@ Model build_model(Samples samples, const vbm_build_options &options, Progress &p
                                  "are numbers, beyond they may not be");
 
   progress.stage("Delaunay triangulation", 0.5);
-  const std::vector<int32_t> order = spatial_order(samples.position);
-  reorder(samples, order);
+  const std::vector<int32_t> order = spatial_order(samples.position, progress);
+  reorder(samples, order, progress);
   std::optional<Delaunay> delaunay(std::in_place);
   delaunay->insert(samples.position, cell_limit(options, samples.position.size()), progress);
 
@@ -102,8 +103,8 @@ Model build_model(Samples samples, const vbm_build_options &options, Progress &p
   find_neighbors(model, progress);
   progress.stage("sampling check", 0.99);
   find_undersampled(model, options.undersampling, progress);
-  restore_order(model, order);
-  describe(model);
+  restore_order(model, order, progress);
+  describe(model, progress);
   return model;
 }
 

@@ -40,14 +40,17 @@ using CellBase =
 using Structure = CGAL::Triangulation_data_structure_3<VertexBase, CellBase>;
 using Triangulation = CGAL::Delaunay_triangulation_3<Kernel, Structure>;
 
-/// Reads point i of a Vec3 array as a CGAL point: lets spatial_sort order indices without a copy.
+/// Reads point i of a Vec3 array as a CGAL point: lets spatial_sort order indices without a copy,
+/// and, as it has no progress of its own, be cancelled all the same.
 struct PointOf {
   using key_type = std::size_t;
   using value_type = Point;
   using reference = Point;
   using category = boost::readable_property_map_tag;
   const Vec3 *points;
+  Progress *progress;
   friend Point get(const PointOf &map, std::size_t i) {
+    map.progress->tick(0, 1);
     return {map.points[i].x, map.points[i].y, map.points[i].z};
   }
 };
@@ -176,11 +179,12 @@ void check_three_dimensional(const std::vector<Vec3> &points, uint64_t given) {
     fail("lie in one plane: 2-dimensional, not 3-dimensional");
 }
 
-std::vector<int32_t> spatial_order(const std::vector<Vec3> &points) {
+std::vector<int32_t> spatial_order(const std::vector<Vec3> &points, Progress &progress) {
   std::vector<std::size_t> order(boost::counting_iterator<std::size_t>(0),
                                  boost::counting_iterator<std::size_t>(points.size()));
-  CGAL::hilbert_sort(order.begin(), order.end(),
-                     CGAL::Spatial_sort_traits_adapter_3<Kernel, PointOf>(PointOf{points.data()}));
+  CGAL::hilbert_sort(
+      order.begin(), order.end(),
+      CGAL::Spatial_sort_traits_adapter_3<Kernel, PointOf>(PointOf{points.data(), &progress}));
   return std::vector<int32_t>(order.begin(), order.end());
 }
 
@@ -236,14 +240,17 @@ Cells Delaunay::cells(Progress &progress) {
   out.corner = impl_->corner;
   // Numbered by their least vertex, so that cells near each other in space are so in memory too.
   std::vector<int32_t> first(std::size_t(out.samples) + 10, 0);
-  for (auto c = triangulation.all_cells_begin(); c != triangulation.all_cells_end(); ++c)
+  for (auto c = triangulation.all_cells_begin(); c != triangulation.all_cells_end(); ++c) {
     ++first[group_of(triangulation, c, out.samples) + 1];
+    progress.tick(0, 1);
+  }
   for (std::size_t g = 0; g + 1 < first.size(); ++g) first[g + 1] += first[g];
   const int32_t count = first[out.samples + 8];
   progress.tick_slow(0, 1);
   for (auto c = triangulation.all_cells_begin(); c != triangulation.all_cells_end(); ++c) {
     const int32_t g = group_of(triangulation, c, out.samples);
     c->info() = g == out.samples + 8 ? -1 : first[g]++;
+    progress.tick(0, 1);
   }
   progress.tick_slow(0, 1);
   out.vertex.resize(count);

@@ -17,7 +17,7 @@ namespace vbm::impl {
 void check_three_dimensional(const std::vector<Vec3> &points, uint64_t given);
 
 /// The points' indices in the order of a space-filling curve (Hilbert's).
-std::vector<int32_t> spatial_order(const std::vector<Vec3> &points);
+std::vector<int32_t> spatial_order(const std::vector<Vec3> &points, Progress &progress);
 
 /// An incremental Delaunay triangulation of points of the unit frame and the closing box's corners.
 /// Exact predicates; the order of insertion depends on the points alone.

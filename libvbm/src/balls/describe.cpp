@@ -8,12 +8,13 @@ namespace vbm::impl {
 
 namespace {
 
-void fill_arrays(Model &model) {
+void fill_arrays(Model &model, Progress &progress) {
   const Frame &frame = model.samples.frame;
   const std::size_t balls = model.balls.size(), samples = model.samples.position.size();
   model.centers.reserve(3 * balls);
   model.radii.reserve(balls);
   for (std::size_t b = 0; b < balls; ++b) {
+    progress.tick(b, balls);
     const Vec3 c = frame.to_input(model.balls[b].center);
     model.centers.insert(model.centers.end(), {c.x, c.y, c.z});
     model.radii.push_back(frame.length_to_input(model.balls[b].radius));
@@ -21,6 +22,7 @@ void fill_arrays(Model &model) {
   model.ball_inside.assign(balls, 0);
   std::fill_n(model.ball_inside.begin(), model.inner, uint8_t(1));
   model.sample_positions.reserve(3 * samples);
+  progress.tick_slow(1, 1);
   for (const Vec3 &p : model.samples.input_position)
     model.sample_positions.insert(model.sample_positions.end(), {p.x, p.y, p.z});
 }
@@ -33,12 +35,13 @@ bool touches_box(const Model &model, int32_t ball) {
   return false;
 }
 
-void fill_medial_radii(Model &model) {
+void fill_medial_radii(Model &model, Progress &progress) {
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   constexpr double infinity = std::numeric_limits<double>::infinity();
   const std::size_t samples = model.samples.position.size();
   std::vector<double> inner(samples, nan), outer(samples, nan);
   for (std::size_t s = 0; s < samples; ++s) {
+    progress.tick(1, 1);
     if (const int32_t b = model.inner_pole[s]; b >= 0) inner[s] = model.radii[b];
     if (const int32_t b = model.outer_pole[s]; b >= 0)
       outer[s] = touches_box(model, b) ? infinity : model.radii[b];
@@ -111,9 +114,10 @@ void fill_notes(Model &model) {
 
 } // namespace
 
-void describe(Model &model) {
-  fill_arrays(model);
-  fill_medial_radii(model);
+void describe(Model &model, Progress &progress) {
+  fill_arrays(model, progress);
+  fill_medial_radii(model, progress);
+  progress.tick_slow(1, 1);
   fill_report(model);
   fill_notes(model);
 }

@@ -3,10 +3,11 @@
 #pragma once
 
 #include "core/model.h"
+#include "core/progress.h"
 
 namespace vbm::impl {
 
 /// Fill the model's arrays in input units, its report and its notes from everything else in it.
-void describe(Model &model);
+void describe(Model &model, Progress &progress);
 
 } // namespace vbm::impl

@@ -88,12 +88,14 @@ private:
     std::vector<float> best(sample_count(), 0);
     std::vector<int32_t> pole(sample_count(), -1);
     for (std::size_t c = 0; c < cells_.size(); ++c) {
+      progress_.tick(0, 1);
       const int32_t b = balls_.of_cell[c];
       const float r = float(balls_.ball[b].radius);
       for (int32_t v : cells_.vertex[c])
         if (v < cells_.samples && r > best[v]) best[v] = r, pole[v] = b;
     }
     for (int32_t s = 0; s < sample_count(); ++s) {
+      progress_.tick(0, 1);
       const Vec3 given = samples_.normal.empty() ? Vec3{} : samples_.normal[s];
       const bool known = dot(given, given) > 0;
       const Vec3 to_pole = unit(balls_.ball[pole[s]].center - samples_.position[s]);
@@ -219,10 +221,13 @@ private:
     for (int32_t s = 0; s < sample_count(); ++s) first_[s + 1] += first_[s];
     slot_.resize(first_.back());
     std::vector<uint32_t> next(first_.begin(), first_.end() - 1);
-    for (std::size_t c = 0; c < cells_.size(); ++c)
+    for (std::size_t c = 0; c < cells_.size(); ++c) {
+      progress_.tick(0, 1);
       for (int i = 0; i < 4; ++i)
         if (const int32_t v = cells_.vertex[c][i]; v < cells_.samples)
           slot_[next[v]++] = uint32_t(4 * c + i);
+    }
+    progress_.tick_slow(0, 1);
     ball_first_.assign(balls_.ball.size() + 1, 0);
     for (int32_t b : balls_.of_cell) ++ball_first_[b + 1];
     for (std::size_t b = 0; b < balls_.ball.size(); ++b) ball_first_[b + 1] += ball_first_[b];
@@ -314,7 +319,9 @@ private:
         sign_[s] = sign;
       }
       vote_on_balls();
+      progress_.tick_slow(1, 1);
       for (std::size_t b = 0; b < balls_.ball.size(); ++b) {
+        progress_.tick(1, 1);
         if (fixed_ball_[b]) continue;
         const int8_t label = votes_[b] > 0 ? -1 : 1;
         changed += label != label_[b];
@@ -351,6 +358,7 @@ private:
     out.inside.resize(balls_.ball.size());
     out.confidence.resize(balls_.ball.size());
     for (std::size_t b = 0; b < balls_.ball.size(); ++b) {
+      progress_.tick(1, 1);
       out.inside[b] = label_[b] > 0;
       if (!trust_.empty() && trust_[b] >= 0) {
         out.confidence[b] = std::min(trust_[b], 0.99f);

@@ -48,9 +48,14 @@ BallSet merge_cospherical(const Cells &cells, const std::vector<Vec3> &samples,
       break;
     }
   }
-  std::sort(seeds.begin(), seeds.end(), better);
+  std::sort(seeds.begin(), seeds.end(), [&](int32_t a, int32_t b) {
+    progress.tick(1, 1);
+    return better(a, b);
+  });
 
+  progress.tick_slow(1, 1);
   std::vector<int32_t> root(cells.size(), -1), todo;
+  progress.tick_slow(1, 1);
   for (int32_t seed : seeds) {
     if (root[seed] >= 0) continue;
     root[seed] = seed;
@@ -72,6 +77,7 @@ BallSet merge_cospherical(const Cells &cells, const std::vector<Vec3> &samples,
   out.of_cell.assign(cells.size(), -1);
   int32_t balls = 0;
   for (int32_t c = 0; c < count; ++c) {
+    progress.tick(1, 1);
     const int32_t r = root[c] < 0 ? c : root[c];
     if (out.of_cell[r] < 0) {
       circumballs.ball[balls] = circumballs.ball[r]; // in place: balls <= c <= r

@@ -19,7 +19,7 @@ std::size_t key(const Model &model, const BallSet &balls, std::size_t cell) {
 
 /// Lists per element, each ascending and without repeats. visit(add) calls add(element, index) for
 /// everything there is; it is called twice, to count and to fill.
-template <class Visit> Incidence group(std::size_t elements, Visit visit) {
+template <class Visit> Incidence group(std::size_t elements, Progress &progress, Visit visit) {
   Incidence out;
   out.offset.assign(elements + 1, 0);
   visit([&](int32_t element, int32_t) { ++out.offset[element + 1]; });
@@ -29,6 +29,7 @@ template <class Visit> Incidence group(std::size_t elements, Visit visit) {
   visit([&](int32_t element, int32_t index) { out.index[next[element]++] = index; });
   uint64_t kept = 0; // lists move down as they lose their repeats
   for (std::size_t e = 0; e < elements; ++e) {
+    progress.tick(1, 1);
     const auto begin = out.index.begin() + int64_t(out.offset[e]);
     const auto end = out.index.begin() + int64_t(next[e]);
     std::sort(begin, end);
@@ -73,18 +74,22 @@ void collect_balls(Model &model, const BallSet &balls, vbm_balls which, Progress
     for (std::size_t c = 0; c < cells.size(); ++c)
       if (model.inside[c]) number[key(model, balls, c)] = kWanted;
   for (int inside = 1; inside >= 0; --inside) {
-    for (std::size_t b = 0; b < balls.ball.size(); ++b)
+    for (std::size_t b = 0; b < balls.ball.size(); ++b) {
+      progress.tick(1, 1);
       if (int32_t &n = number[2 * b + inside]; n == kWanted) {
         n = int32_t(model.balls.size());
         model.balls.push_back(balls.ball[b]);
       }
+    }
     if (inside) model.inner = model.balls.size();
   }
 
   model.ball_of_cell.resize(cells.size());
-  for (std::size_t c = 0; c < cells.size(); ++c)
+  for (std::size_t c = 0; c < cells.size(); ++c) {
+    progress.tick(1, 1);
     model.ball_of_cell[c] = number[key(model, balls, c)];
-  model.ball_samples = group(model.balls.size(), [&](auto add) {
+  }
+  model.ball_samples = group(model.balls.size(), progress, [&](auto add) {
     for (std::size_t c = 0; c < cells.size(); ++c) {
       progress.tick(c, cells.size());
       if (model.ball_of_cell[c] < 0) continue;
@@ -104,7 +109,7 @@ void collect_balls(Model &model, const BallSet &balls, vbm_balls which, Progress
 void find_neighbors(Model &model, Progress &progress) {
   const std::size_t count = model.balls.size();
   const auto side = [&](int32_t b) { return std::size_t(b) < model.inner; };
-  model.ball_neighbors = group(count, [&](auto add) {
+  model.ball_neighbors = group(count, progress, [&](auto add) {
     const auto pair = [&](int32_t a, int32_t b) {
       if (a < 0 || b < 0 || a == b || side(a) != side(b)) return;
       add(a, b);

@@ -187,9 +187,9 @@ std::size_t count_faults(const Samples &samples, const Round &round, Progress &p
   if (samples.components) { // else samples may rightly lie inside, where parts of the mesh overlap
     const std::size_t on_it = boundary.sample.size() - boundary.split;
     faults += std::size_t(round.cells.samples) - on_it;
-    faults += kWrongTopology *
-              std::size_t(std::llabs(boundary.euler() - samples.euler) +
-                          std::llabs(int64_t(boundary.components()) - int64_t(samples.components)));
+    faults += kWrongTopology * std::size_t(std::llabs(boundary.euler() - samples.euler) +
+                                           std::llabs(int64_t(boundary.components(progress)) -
+                                                      int64_t(samples.components)));
   }
   return faults;
 }

@@ -62,7 +62,7 @@ Surface axis_surface(const Axis &axis, const vbm_axis_surface_options &options,
   progress.stage("topology", 0.01);
   const Boundary boundary = find_boundary(model.cells, model.inside, progress);
   const int64_t euler = boundary.euler();
-  const uint64_t components = boundary.components();
+  const uint64_t components = boundary.components(progress);
   std::size_t count = axis.removed.size();
   const std::vector<uint8_t> &twig = axis.state.twig;
   const bool pruned = std::find(twig.begin(), twig.end(), 0) != twig.end();

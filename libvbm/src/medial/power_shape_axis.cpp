@@ -49,7 +49,7 @@ Topology topology(const DualComplex &complex, const Model &solid, Progress &prog
   DisjointSets sets(complex.ball.size());
   out.components = complex.ball.size();
   for (const auto &[u, v] : complex.edge) out.components -= sets.unite(u, v);
-  out.cavities_and_components = find_boundary(solid.cells, solid.inside, progress).components();
+  out.cavities_and_components = find_boundary(solid.cells, solid.inside, progress).components(progress);
   out.euler = int64_t(complex.ball.size()) - int64_t(complex.edge.size()) +
               int64_t(complex.faces()) -
               int64_t(std::count(complex.solid.begin(), complex.solid.end(), 1));

@@ -108,7 +108,7 @@ private:
   }
 
   void triangulate() {
-    const std::vector<int32_t> order = spatial_order(sites());
+    const std::vector<int32_t> order = spatial_order(sites(), progress_);
     std::vector<Vec3> points;
     for (int32_t s : order) points.push_back(sites()[s]);
     Delaunay delaunay;

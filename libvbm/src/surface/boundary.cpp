@@ -93,7 +93,8 @@ private:
   void make_vertices() {
     std::vector<uint8_t> seen(cells_.samples, 0);
     out_.triangle.assign(facets_.size(), {-1, -1, -1});
-    for (int32_t first = 0; first < int32_t(facets_.size()); ++first)
+    for (int32_t first = 0; first < int32_t(facets_.size()); ++first) {
+      progress_.tick(1, 1);
       for (int i = 0; i < 3; ++i) {
         if (out_.triangle[first][i] >= 0) continue;
         const int32_t s = vertex(facets_[first], i), number = int32_t(out_.sample.size());
@@ -108,6 +109,7 @@ private:
           corner = corner_of(f, s);
         } while (f != first);
       }
+    }
   }
 
   const Cells &cells_;
@@ -120,16 +122,18 @@ private:
 
 } // namespace
 
-uint64_t Boundary::components() const {
+uint64_t Boundary::components(Progress &progress) const {
   std::vector<uint8_t> seen(triangle.size(), 0);
   std::vector<int32_t> stack;
   uint64_t count = 0;
   for (std::size_t first = 0; first < triangle.size(); ++first) {
+    progress.tick(1, 1);
     if (seen[first]) continue;
     ++count;
     seen[first] = 1;
     stack.push_back(int32_t(first));
     while (!stack.empty()) {
+      progress.tick(1, 1);
       const int32_t t = stack.back();
       stack.pop_back();
       for (int32_t m : mate[t])

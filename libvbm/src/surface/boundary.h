@@ -23,7 +23,7 @@ struct Boundary {
   uint64_t split = 0;                       // vertices at a sample that has one already
 
   int64_t euler() const { return int64_t(sample.size()) - int64_t(triangle.size()) / 2; }
-  uint64_t components() const;
+  uint64_t components(Progress &progress) const;
 };
 
 /// `inside` is per cell.

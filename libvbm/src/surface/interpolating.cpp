@@ -22,6 +22,8 @@ public:
                   "no Delaunay tetrahedron is inside, so there is no surface");
     surface_.triangles = boundary_.triangle;
     surface_.vertex_sample = std::move(boundary_.sample);
+    surface_.vertices.reserve(surface_.vertex_sample.size());
+    progress_.tick_slow(1, 1);
     for (int32_t s : surface_.vertex_sample)
       surface_.vertices.push_back(model_.samples.input_position[s]);
     split_shared_edges();
@@ -40,26 +42,33 @@ private:
       int32_t low, high, f, e;
     };
     std::vector<Pair> pairs;
-    for (int32_t f = 0; f < int32_t(boundary_.mate.size()); ++f)
+    for (int32_t f = 0; f < int32_t(boundary_.mate.size()); ++f) {
+      progress_.tick(1, 1);
       for (int e = 0; e < 3; ++e)
         if (boundary_.mate[f][e] > f) {
           const int32_t a = surface_.triangles[f][e], b = surface_.triangles[f][(e + 1) % 3];
           pairs.push_back({std::min(a, b), std::max(a, b), f, e});
         }
-    progress_.tick_slow(1, 2);
+    }
     std::vector<uint32_t> first(surface_.vertices.size() + 1, 0), order(pairs.size());
     for (const Pair &p : pairs) ++first[p.low + 1];
     for (std::size_t v = 0; v + 1 < first.size(); ++v) first[v + 1] += first[v];
     std::vector<uint32_t> next(first.begin(), first.end() - 1);
-    for (std::size_t i = 0; i < pairs.size(); ++i) order[next[pairs[i].low]++] = uint32_t(i);
+    progress_.tick_slow(1, 1);
+    for (std::size_t i = 0; i < pairs.size(); ++i) {
+      progress_.tick(1, 1);
+      order[next[pairs[i].low]++] = uint32_t(i);
+    }
     std::vector<Pair> shared;
-    for (std::size_t v = 0; v + 1 < first.size(); ++v)
+    for (std::size_t v = 0; v + 1 < first.size(); ++v) {
+      progress_.tick(1, 1);
       for (uint32_t i = first[v]; i < first[v + 1]; ++i)
         for (uint32_t j = first[v]; j < i; ++j)
           if (pairs[order[i]].high == pairs[order[j]].high) {
             shared.push_back(pairs[order[i]]);
             break;
           }
+    }
     if (shared.empty()) return;
     // Middles per triangle edge, then each triangle that has any is cut at them.
     std::vector<int32_t> middle(3 * boundary_.mate.size(), -1);
@@ -110,6 +119,7 @@ private:
     surface_.polygons.offset.resize(m + 1);
     surface_.polygons.index.reserve(3 * m);
     for (std::size_t v = 0; v < n; ++v) {
+      progress_.tick(1, 1);
       const int32_t s = surface_.vertex_sample[v];
       surface_.vertex_input[v] = s < 0 ? -1 : model_.samples.input[s];
       if (s >= 0 && model_.inner_pole[s] >= 0)
@@ -119,6 +129,7 @@ private:
       surface_.vertex_radius[n - middle_of_.size() + i] = std::min(
           surface_.vertex_radius[middle_of_[i][0]], surface_.vertex_radius[middle_of_[i][1]]);
     for (std::size_t t = 0; t < m; ++t) {
+      progress_.tick(1, 1);
       surface_.triangle_polygon[t] = int32_t(t);
       surface_.polygons.offset[t + 1] = 3 * (t + 1);
       for (int32_t v : surface_.triangles[t]) surface_.polygons.index.push_back(v);

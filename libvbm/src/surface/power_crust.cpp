@@ -30,8 +30,8 @@ constexpr int kAttempts = 2;
 
 /// Whether the crust has the components and handles of the solid. Sampled thinly, even balls with
 /// the right labels can meet across a gap or miss each other across a neck.
-bool same_topology(const CrustComplex &crust, const Boundary &boundary) {
-  return crust.euler() == boundary.euler() && crust.components == boundary.components();
+bool same_topology(const CrustComplex &crust, const Boundary &boundary, Progress &progress) {
+  return crust.euler() == boundary.euler() && crust.components == boundary.components(progress);
 }
 
 /// Give polygons in `cut` a vertex in their middle, and make them triangles.
@@ -147,7 +147,7 @@ Surface power_crust(const Model &model, const uint8_t *keep, const uint8_t *keep
     progress.stage("power crust", attempt ? 0.88 : 0.85);
     const CrustComplex crust =
         crust_complex(std::move(diagram), selected.balls.size(), selected.inner, progress);
-    if (!keep && !same_topology(crust, boundary)) continue;
+    if (!keep && !same_topology(crust, boundary, progress)) continue;
     const CrustVertices vertices = crust_vertices(crust, model, selected, progress);
     clamped = vertices.clamped;
     mesh = merge_crust(crust, vertices, selected.balls, model, progress);
