@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Build Ball Model: a layer with a vertex at the centre of every ball.
+#include "ball_layer.h"
 #include "filter.h"
 #include "model.h"
-#include "ramp.h"
-#include "text.h"
 
 namespace vbm_filters {
 namespace {
@@ -24,23 +23,15 @@ Outcome run(const Task &task) {
   progress.stage(context, 0, 99);
   const vbm::Model model = build_model(context, layer, values);
 
-  NewLayer balls;
-  balls.name = layer.name + " balls";
-  balls.hide_source = values.flag("hide");
   // Inner balls come first.
   const std::size_t wanted = values.flag("outer") ? model.radii().size : model.inner_count();
-  const auto centers = model.centers();
-  const auto radii = model.radii();
-  balls.points.assign(centers.data, centers.data + 3 * wanted);
-  balls.radius.assign(radii.data, radii.data + wanted);
-  balls.quality = balls.radius;
-  const Spread range = spread(balls.radius);
-  balls.ramp = range.ramp;
+  NewLayer balls = ball_layer({model.centers().data, wanted}, {model.radii().data, wanted},
+                              layer.name + " balls");
+  balls.hide_source = values.flag("hide");
 
   Outcome outcome;
   describe(model, layer, outcome.log);
-  outcome.log.push_back("New layer: " + count(wanted, "ball", "balls") + ", radius from " +
-                        number(range.minimum) + " to " + number(range.maximum) + ".");
+  outcome.log.push_back(describe_balls(balls));
   outcome.layers.push_back(std::move(balls));
   return outcome;
 }

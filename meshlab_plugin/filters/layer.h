@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -58,9 +59,10 @@ struct VertexValues {
 };
 
 struct Outcome {
-  std::vector<NewLayer> layers;     // the last one is the host's current layer then
-  std::vector<VertexValues> values; // at most one
-  std::vector<std::string> log;     // sentences for the user
+  std::vector<NewLayer> layers;           // the last one is the host's current layer then
+  std::vector<VertexValues> values;       // at most one
+  std::vector<std::string> log;           // sentences for the user
+  std::map<std::string, double> measures; // numbers for scripts, by name
 };
 
 // Why a filter did nothing. The message is one sentence for the user.

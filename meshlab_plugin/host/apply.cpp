@@ -79,9 +79,10 @@ void write_values(MeshDocument &document, const Source &source, const VertexValu
   write(*layer, source, values);
 }
 
-void run(const vbm_filters::Filter &filter, const vbm_filters::Values &values,
-         MeshDocument &document, vbm_filters::AxisStore &axes, vcg::CallBackPos *callback,
-         const Log &log) {
+std::map<std::string, double> run(const vbm_filters::Filter &filter,
+                                  const vbm_filters::Values &values, MeshDocument &document,
+                                  vbm_filters::AxisStore &axes, vcg::CallBackPos *callback,
+                                  const Log &log) {
   if (!document.mm()) throw Failure("There is no layer to work on: open a mesh first.");
   const Source source = copy_out(*document.mm());
 
@@ -91,19 +92,21 @@ void run(const vbm_filters::Filter &filter, const vbm_filters::Values &values,
   add_layers(document, source, outcome.layers);
   for (const VertexValues &written : outcome.values) write_values(document, source, written);
   for (const std::string &line : outcome.log) log(false, line);
+  return outcome.measures;
 }
 
 } // namespace
 
-void Applier::apply(const vbm_filters::Filter &filter, const vbm_filters::Values &values,
-                    MeshDocument &document, vcg::CallBackPos *callback, const Log &log) {
+std::map<std::string, double> Applier::apply(const vbm_filters::Filter &filter,
+                                             const vbm_filters::Values &values,
+                                             MeshDocument &document, vcg::CallBackPos *callback,
+                                             const Log &log) {
   // An exception that leaves a filter stops MeshLab, or leaves it waiting for ever. And scripts
   // only ever see the log, so every reason goes there too.
   std::string message;
   try {
     BusyGuard guard(busy_);
-    run(filter, values, document, axes_, callback, log);
-    return;
+    return run(filter, values, document, axes_, callback, log);
   } catch (const std::bad_alloc &) {
     message = "There is not enough memory for this.";
   } catch (const std::exception &error) {

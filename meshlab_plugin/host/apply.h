@@ -13,10 +13,11 @@ using Log = std::function<void(bool warning, const std::string &)>;
 
 class Applier {
 public:
-  // Throws vbm_filters::Failure with the sentence for the user, which it has logged as well, and
-  // nothing else. A failure leaves the document as it was.
-  void apply(const vbm_filters::Filter &filter, const vbm_filters::Values &values,
-             MeshDocument &document, vcg::CallBackPos *callback, const Log &log);
+  // Gives the filter's measures, for scripts. Throws vbm_filters::Failure with the sentence for the
+  // user, which it has logged as well, and nothing else. A failure leaves the document as it was.
+  std::map<std::string, double> apply(const vbm_filters::Filter &filter,
+                                      const vbm_filters::Values &values, MeshDocument &document,
+                                      vcg::CallBackPos *callback, const Log &log);
 
 private:
   vbm_filters::AxisStore axes_;

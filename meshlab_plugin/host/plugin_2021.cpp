@@ -58,14 +58,17 @@ std::map<std::string, QVariant> VoronoiBallsPlugin::applyFilter(const QAction *a
   const vbm_filters::Filter &chosen = filter(action);
   changed = static_cast<unsigned int>(changes(chosen));
   try {
-    applier_.apply(chosen, values(chosen.params(), params), document, callback,
-                   [this](bool warning, const std::string &text) {
-                     log(warning ? GLLogStream::WARNING : GLLogStream::FILTER, text);
-                   });
+    const auto found =
+        applier_.apply(chosen, values(chosen.params(), params), document, callback,
+                       [this](bool warning, const std::string &text) {
+                         log(warning ? GLLogStream::WARNING : GLLogStream::FILTER, text);
+                       });
+    std::map<std::string, QVariant> measures;
+    for (const auto &[name, value] : found) measures[name] = value;
+    return measures;
   } catch (const std::exception &error) {
     throw MLException(QString::fromUtf8(error.what()));
   } catch (...) {
     throw MLException("The filter failed for an unknown reason.");
   }
-  return {};
 }

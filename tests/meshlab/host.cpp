@@ -25,6 +25,7 @@ const char *const kAxis = "Voronoi Balls: Build Medial Axis";
 const char *const kSimplify = "Voronoi Balls: Simplify Shape";
 const char *const kRemoveParts = "Voronoi Balls: Remove Selected Parts";
 const char *const kPartColor = "Voronoi Balls: Colour by Part";
+const char *const kBallMeasures = "Voronoi Balls: Measure Union of Balls";
 
 namespace {
 
@@ -168,7 +169,9 @@ Result apply(const std::string &filter, MeshDocument &document, const Given &giv
 #else
   try {
     unsigned int changed = 0;
-    plugin().applyFilter(action(filter), list, document, changed, record);
+    for (const auto &[name, value] :
+         plugin().applyFilter(action(filter), list, document, changed, record))
+      result.measures[name] = value.toDouble();
     result.ok = true;
   } catch (const MLException &error) {
     result.error = error.what();

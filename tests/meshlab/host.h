@@ -21,12 +21,13 @@ struct Result {
   std::vector<std::string> log; // what it logs
   std::vector<int> percents;    // what the progress callback was called with
   std::vector<std::string> stages;
+  std::map<std::string, double> measures; // what it gives to scripts; not in 2020.09
   bool logged(const std::string &part) const;
 };
 
-extern const char *const kBalls,
-    *const kSurface, *const kThickness, *const kAxis, *const kSimplify, *const kRemoveParts,
-                                                                            *const kPartColor;
+extern const char *const kBalls, *const kSurface, *const kThickness;
+extern const char *const kAxis, *const kSimplify, *const kRemoveParts, *const kPartColor;
+extern const char *const kBallMeasures;
 
 std::vector<std::string> filter_names();
 std::string help(const std::string &filter);

@@ -31,7 +31,7 @@ def box(spacing=0.1):
     return shaken * spacing
 
 
-def write_ply(path, points, triangles=()):
+def write_ply(path, points, triangles=(), radii=()):
     """Binary: MeshLab reads the numbers of a text file by the locale."""
     faces = np.empty(len(triangles), [("size", "u1"), ("corners", "<i4", 3)])
     faces["size"] = 3
@@ -41,9 +41,11 @@ def write_ply(path, points, triangles=()):
         file.write(("ply\nformat binary_little_endian 1.0\n"
                     f"element vertex {len(points)}\n"
                     "property float x\nproperty float y\nproperty float z\n"
+                    + ("property float radius\n" if len(radii) else "") +
                     f"element face {len(triangles)}\nproperty list uchar int vertex_indices\n"
                     "end_header\n").encode())
-        file.write(np.asarray(points, "<f4").tobytes())
+        rows = np.column_stack([points, radii]) if len(radii) else points
+        file.write(np.asarray(rows, "<f4").tobytes())
         file.write(faces.tobytes())
 
 

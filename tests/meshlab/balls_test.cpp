@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The filters that work on any layer of balls, on balls whose union is known.
+#include "shapes.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace {
+
+const double kPi = std::acos(-1.0);
+
+// x, y, z and radius of each.
+MeshModel *balls(MeshDocument &document, const std::vector<std::array<double, 4>> &list) {
+  MeshModel *layer = host::add_layer(document, "balls.ply");
+  layer->updateDataMask(MeshModel::MM_VERTRADIUS);
+  for (const auto &ball : list) {
+    auto added = vcg::tri::Allocator<CMeshO>::AddVertex(
+        layer->cm, Point3m(Scalarm(ball[0]), Scalarm(ball[1]), Scalarm(ball[2])));
+    added->R() = Scalarm(ball[3]);
+  }
+  vcg::tri::UpdateBounding<CMeshO>::Box(layer->cm);
+  return layer;
+}
+
+TEST(BallMeasures, AreThoseOfTwoBalls) {
+  MeshDocument document;
+  MeshModel *layer = balls(document, {{0, 0, 0, 1}, {1, 0, 0, 1}, {0.2, 0, 0, 0.1}});
+  auto result = host::apply(host::kBallMeasures, document);
+  ASSERT_TRUE(result.ok) << result.error;
+  EXPECT_TRUE(result.logged("Union of 3 balls: volume 7.06858, area 18.8496."));
+  EXPECT_TRUE(result.logged("1 ball has no share"));
+  EXPECT_NEAR(layer->cm.vert[0].cQ(), 9 * kPi / 8, 1e-5);
+  EXPECT_NEAR(layer->cm.vert[1].cQ(), 9 * kPi / 8, 1e-5);
+  EXPECT_EQ(layer->cm.vert[2].cQ(), 0);
+  EXPECT_FALSE(layer->hasDataMask(MeshModel::MM_VERTCOLOR));
+  EXPECT_NEAR(layer->cm.vert[0].cR(), 1, 1e-6);
+#if VBM_MESHLAB_GENERATION > 2020
+  EXPECT_NEAR(result.measures.at("volume"), 9 * kPi / 4, 1e-6);
+  EXPECT_NEAR(result.measures.at("area"), 6 * kPi, 1e-6);
+#endif
+  result = host::apply(host::kBallMeasures, document, {{"share", 1}});
+  ASSERT_TRUE(result.ok) << result.error;
+  EXPECT_NEAR(layer->cm.vert[0].cQ(), 3 * kPi, 1e-5);
+}
+
+TEST(BallFilters, RefuseWhatIsNoBalls) {
+  for (const char *filter : {host::kBallMeasures}) {
+    {
+      MeshDocument document;
+      shapes::sphere(document, 2);
+      const auto result = host::apply(filter, document);
+      EXPECT_FALSE(result.ok);
+      EXPECT_NE(result.error.find("have no radius"), std::string::npos) << result.error;
+      EXPECT_TRUE(result.logged(result.error));
+      EXPECT_EQ(host::layers(document), 1);
+    }
+    {
+      MeshDocument document;
+      balls(document, {});
+      const auto result = host::apply(filter, document);
+      EXPECT_FALSE(result.ok);
+      EXPECT_NE(result.error.find("no vertices"), std::string::npos) << result.error;
+    }
+    for (const double bad : {-1.0, double(std::numeric_limits<float>::quiet_NaN())}) {
+      MeshDocument document;
+      balls(document, {{0, 0, 0, 1}, {0, 0, 1, 1}, {0, 0, 2, bad}});
+      const auto result = host::apply(filter, document);
+      EXPECT_FALSE(result.ok) << filter << bad;
+      EXPECT_NE(result.error.find("2"), std::string::npos) << result.error;
+      EXPECT_EQ(host::layers(document), 1);
+    }
+  }
+}
+
+} // namespace
