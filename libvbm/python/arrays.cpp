@@ -75,6 +75,15 @@ Doubles rows_of_3(const py::object &value, const char *name) {
   return Doubles(std::move(array));
 }
 
+Doubles radii_of(const py::object &value, py::ssize_t balls) {
+  py::array array = numbers(value, "radii", "an (n,) array");
+  if (array.ndim() != 1 || array.size() != balls)
+    bad_argument("radii must be an (n,) array of a radius for each of the " +
+                 std::to_string(balls) + (balls == 1 ? " centre" : " centres") + ", not " +
+                 shape_text(array));
+  return Doubles(std::move(array));
+}
+
 Indices indices(const py::object &value, const char *name, const char *element) {
   const py::array array = as_array(value, name, "an array of whole numbers");
   const char kind = array.dtype().kind();

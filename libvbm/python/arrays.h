@@ -27,6 +27,9 @@ py::array numbers(const py::object &value, const char *name, const char *shape);
 /// An (n, 3) array of doubles; an empty list is (0, 3).
 Doubles rows_of_3(const py::object &value, const char *name);
 
+/// An (n,) array of doubles, one for each of `balls` centres.
+Doubles radii_of(const py::object &value, py::ssize_t balls);
+
 /// numpy.asarray of whole numbers in the range of int32; an empty list counts. `element` and `kind`
 /// are what the error calls a row that has a greater one: "face".
 Indices indices(const py::object &value, const char *name, const char *element);

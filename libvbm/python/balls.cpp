@@ -48,15 +48,6 @@ template <class Get> auto viewed(Get get) {
   };
 }
 
-// (n,) doubles, as many as there are balls.
-Doubles radii_of(const py::object &value, py::ssize_t balls) {
-  py::array array = numbers(value, "radii", "an (n,) array");
-  if (array.ndim() != 1 || array.size() != balls)
-    bad_argument("radii must be an (n,) array of a radius for each of the " +
-                 counted(uint64_t(balls), "centre", "centres") + ", not " + shape_text(array));
-  return Doubles(std::move(array));
-}
-
 Measures union_measures_of(const Arguments &given) {
   const Doubles centers = rows_of_3(given["centers"], "centers");
   const Doubles radii = radii_of(given["radii"], centers.shape(0));

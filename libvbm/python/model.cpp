@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "arrays.h"
 #include "bind.h"
+#include "cluster.h"
 #include "errors.h"
 #include "options.h"
 #include "progress.h"
@@ -233,6 +234,15 @@ void bind_axis_of(py::class_<Model> &type) {
           .c_str());
 }
 
+void bind_cluster_of(py::class_<Model> &type) {
+  type.def(
+      "cluster",
+      [](const Model &model, const py::args &args, const py::kwargs &kwargs) {
+        return cluster_model(model, model_cluster_signature().bind(args, kwargs));
+      },
+      model_cluster_signature().doc(model_cluster_doc()).c_str());
+}
+
 std::string repr(const Model &model) {
   const vbm_model_report report = model.report();
   return "<vbm.Model: " + counted(report.inner_balls, "inner ball", "inner balls") + ", " +
@@ -258,6 +268,7 @@ void bind_model(py::module_ &module) {
       "say.");
   bind_surfaces(type);
   bind_axis_of(type);
+  bind_cluster_of(type);
   type.def("__repr__", &repr);
 }
 

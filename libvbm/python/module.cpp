@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "bind.h"
+#include "cluster.h"
 #include "errors.h"
 #include "options.h"
 #include "reports.h"
@@ -38,6 +39,7 @@ PYBIND11_MODULE(vbm, module) {
   bind_surface(module);
   bind_axis(module);
   bind_medial_mesh(module);
+  bind_cluster(module);
   bind_model(module);
   bind_build(module);
   bind_balls(module);

@@ -5,6 +5,7 @@
 
 #include <cstring>
 #include <variant>
+#include <vector>
 
 namespace vbm::python {
 
@@ -116,6 +117,24 @@ int32_t enum_value(const char *operation, const char *parameter, py::handle name
 }
 double number_for(const vbm_param &param, py::handle value) { return to_double(param, value); }
 int32_t item_for(const vbm_param &param, py::handle value) { return to_enum(param, value); }
+
+const vbm_param &table_row(const char *operation, const char *name) {
+  static const std::vector<vbm_param> rows = parameters();
+  for (const vbm_param &row : rows)
+    if (!std::strcmp(row.operation, operation) && !std::strcmp(row.name, name)) return row;
+  throw py::import_error("libvbm has no parameter " + std::string(name) + " of " + operation);
+}
+
+double number_option(const vbm_param &row, const Arguments &arguments) {
+  return arguments.given(row.name) ? to_double(row, arguments[row.name]) : row.default_value;
+}
+uint64_t count_option(const vbm_param &row, const Arguments &arguments) {
+  return arguments.given(row.name) ? to_count(row, arguments[row.name])
+                                   : uint64_t(row.default_value);
+}
+int32_t enum_option(const vbm_param &row, const Arguments &arguments) {
+  return arguments.given(row.name) ? to_enum(row, arguments[row.name]) : int32_t(row.default_value);
+}
 
 bool is_build_option(const vbm_param &param) { return field_of(param); }
 

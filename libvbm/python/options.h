@@ -22,6 +22,14 @@ BuildOptions build_options(const Arguments &arguments);
 
 /// The value of an enum of the table from its name. Throws TypeError, ArgumentError.
 int32_t enum_value(const char *operation, const char *parameter, py::handle name);
+/// A row of the table.
+const vbm_param &table_row(const char *operation, const char *name);
+
+/// An argument as the table's row has it; the row's default where none was given. Throw TypeError and
+/// ArgumentError.
+double number_option(const vbm_param &row, const Arguments &arguments);
+uint64_t count_option(const vbm_param &row, const Arguments &arguments);
+int32_t enum_option(const vbm_param &row, const Arguments &arguments);
 
 /// A value of the table's labels or balls, by name.
 std::string enum_name(const char *parameter, int value);

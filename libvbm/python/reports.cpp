@@ -103,6 +103,37 @@ const Field<N> kMedialMeshFields[] = {
     VBM_FIELD(N, error_max, "Two-sided: the larger of the two largest."),
     VBM_FIELD(N, error_mean, "Two-sided: the mean of the two means."),
 };
+
+using C = vbm_clusters_report;
+const Field<C> kClustersFields[] = {
+    VBM_FIELD(C, balls, "Balls given."),
+    VBM_FIELD(C, clusters, "Clusters: balls made."),
+    VBM_FIELD(C, singles, "Clusters of one ball."),
+    VBM_FIELD(C, sphericity, "Least sphericity of a cluster."),
+    VBM_FIELD(C, largest, "Radius of the largest ball given."),
+    VBM_FIELD(C, gap,
+              "Largest of Clusters.gap: no point of the clusters' boundary is farther than this "
+              "from the\nunion of the balls given."),
+    VBM_FIELD(C, bound, "Theorem 3.3's bound, which gap never exceeds: that is checked."),
+};
+
+py::object position(const double (&p)[3]) { return py::make_tuple(p[0], p[1], p[2]); }
+
+using E = vbm_cluster_error;
+const Field<E> kClusterErrorFields[] = {
+    VBM_FIELD(E, outward, "Largest distance from the clusters' boundary to the given one; exact at "
+                          "each point."),
+    VBM_FIELD(E, outward_mean, "Its mean."),
+    {"outward_position", "Where it is largest, (x, y, z).",
+     [](const E &e) { return position(e.outward_position); }},
+    VBM_FIELD(E, outward_points, "Points looked at."),
+    VBM_FIELD(E, inward, "Largest distance from the given boundary to the clusters': large where a "
+                         "narrow gap was\nclosed. At a point never less than the distance."),
+    VBM_FIELD(E, inward_mean, "Its mean."),
+    {"inward_position", "Where it is largest, (x, y, z).",
+     [](const E &e) { return position(e.inward_position); }},
+    VBM_FIELD(E, inward_points, "Points looked at."),
+};
 #undef VBM_FIELD
 
 // The named tuple's class, kept for as long as the process lives. Asking the module by its name
@@ -141,11 +172,18 @@ void bind_reports(py::module_ &module) {
   bind(module, "AxisReport", "Counts of a medial axis; a named tuple.", kAxisFields);
   bind(module, "MedialMeshReport", "Counts and errors of a medial mesh; a named tuple.",
        kMedialMeshFields);
+  bind(module, "ClustersReport", "Counts and errors of clusters; a named tuple.", kClustersFields);
+  bind(module, "ClusterError",
+       "Distances between the boundaries of the given balls' union and of the clusters' balls'; a "
+       "named tuple.",
+       kClusterErrorFields);
 }
 
 py::object to_python(const vbm_model_report &report) { return make(report, kModelFields); }
 py::object to_python(const vbm_surface_report &report) { return make(report, kSurfaceFields); }
 py::object to_python(const vbm_axis_report &report) { return make(report, kAxisFields); }
+py::object to_python(const vbm_clusters_report &report) { return make(report, kClustersFields); }
+py::object to_python(const vbm_cluster_error &error) { return make(error, kClusterErrorFields); }
 
 py::object to_python(const vbm_medial_mesh_report &report) {
   return make(report, kMedialMeshFields);

@@ -16,6 +16,8 @@ py::object to_python(const vbm_model_report &report);
 py::object to_python(const vbm_surface_report &report);
 py::object to_python(const vbm_axis_report &report);
 py::object to_python(const vbm_medial_mesh_report &report);
+py::object to_python(const vbm_clusters_report &report);
+py::object to_python(const vbm_cluster_error &error);
 
 /// A list of the lines of a text, each of which ends in a newline.
 py::list lines_of(const std::string &text);

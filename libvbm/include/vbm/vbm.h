@@ -364,5 +364,6 @@ VBM_API vbm_status vbm_param_describe(size_t index, vbm_param *param);
 
 #include "axis.h" /* the medial axis, its parts, simplification */
 #include "balls.h" /* unions of any balls: measures, surfaces */
+#include "cluster.h" /* fewer balls */
 
 #endif /* VBM_VBM_H */

@@ -340,5 +340,6 @@ inline std::vector<vbm_param> parameters() {
 
 #include <vbm/axis.hpp>
 #include <vbm/balls.hpp>
+#include <vbm/cluster.hpp>
 
 #endif // VBM_VBM_HPP

@@ -78,5 +78,6 @@ vbm_axis_surface_options read_options(const vbm_axis_surface_options *options);
 vbm_simplify_options read_options(const vbm_simplify_options *options);
 vbm_curve_skeleton_options read_options(const vbm_curve_skeleton_options *options);
 vbm_ball_surface_options read_options(const vbm_ball_surface_options *options);
+vbm_cluster_options read_options(const vbm_cluster_options *options);
 
 } // namespace vbm::impl

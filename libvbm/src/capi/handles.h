@@ -4,6 +4,7 @@
 
 #include "core/model.h"
 #include "measure/union_measures.h"
+#include "match/clusters.h"
 #include "medial/axis.h"
 #include "medial/medial_mesh.h"
 
@@ -46,6 +47,10 @@ struct vbm_measures {
 
 struct vbm_medial_mesh {
   vbm::impl::MedialMesh mesh;
+};
+
+struct vbm_clusters {
+  vbm::impl::Clusters clusters;
 };
 
 struct vbm_surface {

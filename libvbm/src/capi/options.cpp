@@ -75,6 +75,15 @@ vbm_ball_surface_options ball_surface_defaults() {
   return o;
 }
 
+vbm_cluster_options cluster_defaults() {
+  vbm_cluster_options o{};
+  o.struct_size = sizeof o;
+  o.sphericity = 0.95;
+  o.count = 0;
+  o.measure = VBM_CLUSTER_ENCLOSING;
+  return o;
+}
+
 [[noreturn]] void bad_option(const char *name, const std::string &why) {
   throw Error(VBM_ERROR_ARGUMENT, std::string("option ") + name + " " + why, "option", {}, 0);
 }
@@ -163,6 +172,15 @@ vbm_ball_surface_options read_options(const vbm_ball_surface_options *options) {
   return o;
 }
 
+vbm_cluster_options read_options(const vbm_cluster_options *options) {
+  const vbm_cluster_options o = read(options, cluster_defaults(), "vbm_cluster_options_init");
+  if (!(o.sphericity >= 0.01 && o.sphericity <= 1))
+    bad_option("sphericity", "is outside its range 0.01 to 1");
+  if (o.measure < VBM_CLUSTER_ENCLOSING || o.measure > VBM_CLUSTER_UNION)
+    bad_option("measure", "is " + std::to_string(o.measure) + ": use 0 (enclosing) or 1 (union)");
+  return o;
+}
+
 } // namespace vbm::impl
 
 extern "C" {
@@ -187,6 +205,9 @@ void vbm_curve_skeleton_options_init(vbm_curve_skeleton_options *options, size_t
 }
 void vbm_ball_surface_options_init(vbm_ball_surface_options *options, size_t struct_size) {
   vbm::impl::init(options, struct_size, vbm::impl::ball_surface_defaults());
+}
+void vbm_cluster_options_init(vbm_cluster_options *options, size_t struct_size) {
+  vbm::impl::init(options, struct_size, vbm::impl::cluster_defaults());
 }
 
 } // extern "C"

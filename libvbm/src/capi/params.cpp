@@ -51,6 +51,12 @@ constexpr const char *kBallStyleLabels[] = {"Singular Points"};
 constexpr const char *kBallStyleHelps[] = {
     "About one polygon a ball, through the points where three balls meet"};
 
+constexpr const char *kClusterMeasureNames[] = {"enclosing", "union"};
+constexpr const char *kClusterMeasureLabels[] = {"Enclosing Ball", "Union of Balls"};
+constexpr const char *kClusterMeasureHelps[] = {
+    "A cluster's largest ball against the ball that encloses the cluster",
+    "All balls round the enclosing ball's sphere: as exact, and fewer balls; takes longer"};
+
 // By row: operation, name, label, help, unit, type, items of an enum, default, minimum, maximum.
 constexpr vbm_param kParams[] = {
     {sizeof(vbm_param), "build", "balls", "Balls", "Which of the balls inside the shape are kept",
@@ -129,6 +135,16 @@ constexpr vbm_param kParams[] = {
     {sizeof(vbm_param), "surface_from_balls", "bridge", "Bridge Gaps",
      "Join balls that would meet if their radii were larger by this share", "ratio",
      VBM_PARAM_FLOAT, 0, nullptr, nullptr, nullptr, 0, 0, 1},
+    {sizeof(vbm_param), "cluster", "sphericity", "Sphericity",
+     "How much of a ball that replaces others one of them fills, by radius, at least", "ratio",
+     VBM_PARAM_FLOAT, 0, nullptr, nullptr, nullptr, 0.95, 0.01, 1},
+    {sizeof(vbm_param), "cluster", "count", "Number of Balls",
+     "The best so many balls, whatever their sphericity; 0 leaves the number to the sphericity", "",
+     VBM_PARAM_INT, 0, nullptr, nullptr, nullptr, 0, 0, kMaxCount},
+    {sizeof(vbm_param), "cluster", "measure", "Measure",
+     "What tells how well one ball stands for others", "", VBM_PARAM_ENUM, 2, kClusterMeasureNames,
+     kClusterMeasureLabels, kClusterMeasureHelps, VBM_CLUSTER_ENCLOSING, VBM_CLUSTER_ENCLOSING,
+     VBM_CLUSTER_UNION},
 };
 
 } // namespace
