@@ -167,6 +167,38 @@ TEST_F(Memory, Errors) {
   }
 }
 
+TEST_F(Memory, Clusters) {
+  std::vector<double> centers, radii;
+  for (int i = 0; i < 60; ++i) {
+    centers.insert(centers.end(), {i % 5 * .3, i / 5 % 4 * .4, i / 20 * .2});
+    radii.push_back(.3 + .01 * (i * 7 % 10));
+  }
+  for (const int32_t measure : {VBM_CLUSTER_ENCLOSING, VBM_CLUSTER_UNION})
+    for (const uint64_t count : {0, 9})
+      fail_everywhere("clusters", [&](vbm_context *context, std::string *shown) {
+        vbm_cluster_options options;
+        vbm_cluster_options_init(&options, sizeof options);
+        options.sphericity = .7;
+        options.count = count;
+        options.measure = measure;
+        vbm_clusters *clusters = nullptr;
+        vbm_status status = vbm_cluster_balls(context, centers.data(), radii.data(), radii.size(),
+                                              &options, &clusters);
+        EXPECT_EQ(status == VBM_OK, clusters != nullptr);
+        vbm_cluster_error error;
+        error.struct_size = sizeof error;
+        if (clusters) status = vbm_clusters_measure(context, clusters, 100, &error);
+        if (shown && status == VBM_OK) {
+          size_t n = 0;
+          const double *made = vbm_clusters_radii(clusters, &n);
+          *shown = std::string(reinterpret_cast<const char *>(made), n * sizeof *made) +
+                   std::string(reinterpret_cast<const char *>(&error), sizeof error);
+        }
+        vbm_clusters_free(clusters);
+        return status;
+      });
+}
+
 TEST_F(Memory, Surfaces) {
   vbm_context *maker = nullptr;
   vbm_model *model = nullptr;

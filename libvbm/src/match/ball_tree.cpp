@@ -29,7 +29,10 @@ BallTree::BallTree(const std::vector<Ball> &balls, Progress &progress)
   nodes_.reserve(std::size_t(count) / 2 + 1);
   if (count) nodes_.push_back({{}, {}, 0, 0, 0, count, 0, count});
   for (std::size_t n = 0; n < nodes_.size(); ++n) {
-    progress.tick(n, std::size_t(count) / 4 + 1);
+    if (n < 64)
+      progress.tick_slow(n, std::size_t(count) / 4 + 1); // large ones
+    else
+      progress.tick(n, std::size_t(count) / 4 + 1);
     split(int32_t(n));
   }
   for (int32_t i = 0; i < count; ++i) place_[order_[i]] = i;

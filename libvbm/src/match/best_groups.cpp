@@ -50,14 +50,14 @@ private:
   std::unique_ptr<UnionGap> gap_;
 };
 
-Group group_of(const std::vector<Ball> &balls, std::vector<int32_t> members) {
+Group group_of(const std::vector<Ball> &balls, std::vector<int32_t> members, Progress &progress) {
   std::sort(members.begin(), members.end());
   const auto largest =
       std::max_element(members.begin(), members.end(), [&](int32_t a, int32_t b) {
         return balls[a].radius < balls[b].radius; // the first of them
       });
   std::rotate(members.begin(), largest, largest + 1);
-  EnclosingBall enclosing(balls);
+  EnclosingBall enclosing(balls, progress);
   enclosing.start(members.front());
   enclosing.add(members.data() + 1, members.data() + members.size(), kNoLimit);
   return {enclosing.ball(), std::move(members)};
@@ -65,7 +65,7 @@ Group group_of(const std::vector<Ball> &balls, std::vector<int32_t> members) {
 
 /// In two: round the largest ball, and round the one that reaches farthest from there.
 std::pair<Group, Group> cut(const std::vector<Ball> &balls, const Errors &error,
-                            const Group &group) {
+                            const Group &group, Progress &progress) {
   const int32_t a = group.members.front();
   const auto out = [&](int32_t i, int32_t from) { // how far i reaches out of it
     return distance(balls[i].center, balls[from].center) + balls[i].radius - balls[from].radius;
@@ -79,10 +79,10 @@ std::pair<Group, Group> cut(const std::vector<Ball> &balls, const Errors &error,
     (out(i, a) <= out(i, b) ? first : second).push_back(i);
     rest.push_back(i);
   }
-  std::pair<Group, Group> two{group_of(balls, std::move(first)),
-                              group_of(balls, std::move(second))};
+  std::pair<Group, Group> two{group_of(balls, std::move(first), progress),
+                              group_of(balls, std::move(second), progress)};
   if (std::max(error(two.first), error(two.second)) > error(group))
-    two = {group_of(balls, std::move(rest)), group_of(balls, {b})};
+    two = {group_of(balls, std::move(rest), progress), group_of(balls, {b}, progress)};
   return two;
 }
 
@@ -106,7 +106,7 @@ void cut_to(const std::vector<Ball> &balls, const Errors &error, std::size_t cou
     progress.tick_slow(groups.size(), count);
     const std::size_t g = std::size_t(-worst.top().second);
     worst.pop();
-    auto [first, second] = cut(balls, error, groups[g]);
+    auto [first, second] = cut(balls, error, groups[g], progress);
     groups[g] = std::move(first);
     groups.push_back(std::move(second));
     push(g);
@@ -140,7 +140,7 @@ Grouping best_groups(const std::vector<Ball> &balls, std::size_t count, bool by_
   // One ball about all: its radius is the largest slack there can be.
   std::vector<int32_t> others(total);
   std::iota(others.begin(), others.end(), 0);
-  EnclosingBall all(balls);
+  EnclosingBall all(balls, progress);
   all.start(0);
   all.add(others.data() + 1, others.data() + total, kNoLimit);
   double low = 0, high = all.ball().radius;

@@ -68,7 +68,8 @@ void fill_views(Clusters &c, const vbm_cluster_options &options, const UnionGap 
     const std::size_t begin = c.members.offset[k], end = c.members.offset[k + 1];
     for (std::size_t i = begin; i < end; ++i) c.ball_cluster[c.members.index[i]] = int32_t(k);
     const Ball &a = c.balls[c.members.index[begin]];
-    double gap = std::max(0.0, distance(ball.center, a.center) + ball.radius - a.radius);
+    const double twice = 2 * (ball.radius - a.radius); // 2 r (1 - s) / s
+    double gap = std::clamp(distance(ball.center, a.center) + ball.radius - a.radius, 0.0, twice);
     double sphericity = ball.radius > 0 ? a.radius / ball.radius : 1;
     if (union_gap && gap > 0) {
       gap = std::min(gap, union_gap->bound(ball));
@@ -81,8 +82,7 @@ void fill_views(Clusters &c, const vbm_cluster_options &options, const UnionGap 
     c.sphericity.push_back(sphericity);
     r.singles += end - begin == 1;
     r.sphericity = std::min(r.sphericity, sphericity);
-    bound = std::max(bound, by_union ? 2 * ball.radius * (1 - sphericity)
-                                     : 2 * (ball.radius - a.radius)); // 2 a (1 - s) / s
+    bound = std::max(bound, by_union ? gap : twice);
     largest = std::max(largest, a.radius);
     largest_cluster = std::max(largest_cluster, ball.radius);
     gap_most = std::max(gap_most, gap);

@@ -4,6 +4,8 @@
 // none.
 #include "match/enclosing_ball.h"
 
+#include "core/progress.h"
+
 #include <CGAL/Min_sphere_of_spheres_d.h>
 
 #include <algorithm>
@@ -18,6 +20,9 @@ constexpr double kStickingOut = 1e-12;
 
 /// Rounds after which a solver that runs in circles for rounding is left: far more than any need.
 constexpr int kMaxRounds = 64;
+
+/// Members whose search takes so long that the clock is looked at each time.
+constexpr std::size_t kMany = 10000;
 
 struct Traits {
   struct Sphere {
@@ -44,8 +49,8 @@ struct EnclosingBall::Solver {
   CGAL::Min_sphere_of_spheres_d<Traits> miniball;
 };
 
-EnclosingBall::EnclosingBall(const std::vector<Ball> &balls)
-    : balls_(balls), solver_(std::make_unique<Solver>()) {}
+EnclosingBall::EnclosingBall(const std::vector<Ball> &balls, Progress &progress)
+    : balls_(balls), progress_(progress), solver_(std::make_unique<Solver>()) {}
 EnclosingBall::~EnclosingBall() = default;
 
 void EnclosingBall::start(int32_t ball) {
@@ -92,6 +97,8 @@ bool EnclosingBall::enclose(int32_t outside, const int32_t *first, const int32_t
   const Vec3 origin = balls_[members_.front()].center;
   trial_ = basis_;
   for (int round = 0;; ++round) {
+    progress_.tick(0, 1);
+    if (members_.size() > kMany) progress_.tick_slow(0, 1);
     trial_.push_back(outside);
     miniball.clear();
     for (int32_t i : trial_) {

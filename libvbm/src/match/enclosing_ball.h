@@ -10,13 +10,15 @@
 
 namespace vbm::impl {
 
+class Progress;
+
 /// Keeps the smallest enclosing ball of the balls added so far. Those that determine it (four at
 /// most, Fischer and Gärtner 2004) are its basis, so that most balls that would make it too large
 /// are refused without a look at the rest.
 class EnclosingBall {
 public:
-  /// `balls` must outlive it.
-  explicit EnclosingBall(const std::vector<Ball> &balls);
+  /// `balls` and `progress` must outlive it.
+  EnclosingBall(const std::vector<Ball> &balls, Progress &progress);
   ~EnclosingBall();
 
   /// Begin anew with one of the balls.
@@ -37,6 +39,7 @@ private:
   bool enclose(int32_t outside, const int32_t *first, const int32_t *last, double limit);
 
   const std::vector<Ball> &balls_;
+  Progress &progress_;
   std::unique_ptr<Solver> solver_;
   Ball ball_;
   std::vector<int32_t> members_, basis_, trial_;

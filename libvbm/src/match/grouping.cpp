@@ -9,12 +9,15 @@
 #include "core/progress.h"
 #include "match/ball_tree.h"
 #include "match/enclosing_ball.h"
+#include "match/sort_in_pieces.h"
 #include "match/union_gap.h"
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <memory>
+#include <utility>
 
 namespace vbm::impl {
 namespace {
@@ -26,6 +29,9 @@ constexpr int kShifts = 3;
 /// success and failure so often.
 constexpr double kWider = 1.2;
 constexpr int kHalvings = 3;
+
+/// Candidates that take so long to look at that the clock is looked at each time.
+constexpr std::size_t kMany = 10000;
 
 constexpr double kNoLimit = std::numeric_limits<double>::infinity();
 
@@ -43,7 +49,7 @@ class Grouper {
 public:
   Grouper(const std::vector<Ball> &balls, const Allowance &allowance, Progress &progress)
       : balls_(balls), allowance_(allowance), progress_(progress), tree_(balls, progress),
-        growing_(balls) {
+        growing_(balls, progress) {
     if (allowance.by_union) gap_ = std::make_unique<UnionGap>(balls, progress);
   }
 
@@ -52,6 +58,7 @@ public:
 private:
   void gather(int32_t largest);
   Vec3 densest(Vec3 start) const;
+  void sort_members();
   std::size_t depth(const Vec3 &center) const;
   Vec3 deepest() const;
   void grow(const Vec3 &start);
@@ -88,11 +95,20 @@ void Grouper::gather(int32_t largest) {
   tree_.inside(a.center, 2 * limit_ - a.radius, candidates_);
   candidates_.erase(std::remove(candidates_.begin(), candidates_.end(), largest),
                     candidates_.end());
-  std::sort(candidates_.begin(), candidates_.end());
+  sort_in_pieces(candidates_, std::less<int32_t>(), progress_);
+}
+
+/// The largest first, then the rest ascending.
+void Grouper::sort_members() {
+  const int32_t none = -1; // before all others
+  best_members_.front() = none;
+  sort_in_pieces(best_members_, std::less<int32_t>(), progress_);
+  best_members_.front() = largest_;
 }
 
 std::size_t Grouper::depth(const Vec3 &center) const {
   std::size_t count = 0;
+  if (candidates_.size() > kMany) progress_.tick_slow(done_, balls_.size());
   for (int32_t i : candidates_)
     count += distance(balls_[i].center, center) + balls_[i].radius <= limit_;
   return count;
@@ -106,6 +122,7 @@ Vec3 Grouper::densest(Vec3 c) const {
   for (int shift = 0; shift < kShifts; ++shift) {
     Vec3 sum;
     double count = 1;
+    if (candidates_.size() > kMany) progress_.tick_slow(done_, balls_.size());
     for (int32_t i : candidates_)
       if (distance(balls_[i].center, c) + balls_[i].radius <= limit_) {
         sum += balls_[i].center - a.center;
@@ -146,7 +163,7 @@ void Grouper::grow(const Vec3 &start) {
 /// Add what fits, in order of reach: twice as many at once after each success, so that a ball that
 /// grows little by little does not look at its members each time.
 void Grouper::take_in_order(double limit) {
-  std::sort(order_.begin(), order_.end());
+  sort_in_pieces(order_, std::less<std::pair<double, int32_t>>(), progress_);
   rest_.clear();
   for (const auto &[reach, i] : order_) rest_.push_back(i);
   std::size_t run = 1;
@@ -195,7 +212,7 @@ void Grouper::fill() {
 bool Grouper::gather_more(double limit) {
   candidates_.clear();
   tree_.inside(balls_[largest_].center, 2 * limit - balls_[largest_].radius, candidates_);
-  std::sort(best_members_.begin() + 1, best_members_.end());
+  sort_members();
   order_.clear();
   for (int32_t i : candidates_)
     if (i != largest_ && !std::binary_search(best_members_.begin() + 1, best_members_.end(), i))
@@ -231,9 +248,10 @@ void Grouper::widen() {
 Grouping Grouper::run(std::size_t most) {
   std::vector<int32_t> by_size(balls_.size());
   for (std::size_t i = 0; i < by_size.size(); ++i) by_size[i] = int32_t(i);
-  std::sort(by_size.begin(), by_size.end(), [&](int32_t a, int32_t b) {
+  const auto larger = [&](int32_t a, int32_t b) {
     return balls_[a].radius != balls_[b].radius ? balls_[a].radius > balls_[b].radius : a < b;
-  });
+  };
+  sort_in_pieces(by_size, larger, progress_);
   Grouping grouping;
   std::vector<uint8_t> processed(balls_.size(), 0);
   for (int32_t a : by_size) {
@@ -245,8 +263,9 @@ Grouping Grouper::run(std::size_t most) {
     best_members_.assign(1, a);
     if (!candidates_.empty()) fill();
     if (gap_) widen();
-    std::sort(best_members_.begin() + 1, best_members_.end());
+    sort_members();
     for (int32_t i : best_members_) {
+      progress_.tick(done_, balls_.size());
       processed[i] = 1;
       tree_.remove(i);
       grouping.members.index.push_back(i);
