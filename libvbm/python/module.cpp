@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "bind.h"
 #include "cluster.h"
+#include "files.h"
 #include "errors.h"
 #include "options.h"
 #include "reports.h"
@@ -40,6 +41,7 @@ PYBIND11_MODULE(vbm, module) {
   bind_axis(module);
   bind_medial_mesh(module);
   bind_cluster(module);
+  bind_files(module);
   bind_model(module);
   bind_build(module);
   bind_balls(module);

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "files/bytes.h"
+
+#include "files/ball_file.h"
+
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <memory>
+#include <system_error>
+
+namespace vbm::files {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Names tried for the file that is written first: others' may be left from a crash.
+constexpr int kNames = 100;
+
+std::FILE *open(const fs::path &path, const char *mode) {
+  errno = 0;
+#ifdef _WIN32
+  const std::wstring wide(mode, mode + std::strlen(mode));
+  return _wfopen(path.c_str(), wide.c_str());
+#else
+  return std::fopen(path.c_str(), mode);
+#endif
+}
+
+struct Close {
+  void operator()(std::FILE *file) const { std::fclose(file); }
+};
+using File = std::unique_ptr<std::FILE, Close>;
+
+} // namespace
+
+NoFile::NoFile(int code, std::filesystem::path path)
+    : std::runtime_error(path.u8string() + ": " + std::generic_category().message(code)),
+      code(code), path(std::move(path)) {}
+
+std::string read_bytes(const fs::path &path) {
+  std::error_code failed;
+  if (fs::is_directory(path, failed)) throw NoFile(EISDIR, path);
+  const File file(open(path, "rb"));
+  if (!file) throw NoFile(errno ? errno : EIO, path);
+  std::string bytes;
+  const auto size = fs::file_size(path, failed); // not known of pipes
+  if (!failed && size < bytes.max_size()) bytes.reserve(std::size_t(size) + 1);
+  char block[1 << 16];
+  while (const std::size_t count = std::fread(block, 1, sizeof block, file.get()))
+    bytes.append(block, count);
+  if (std::ferror(file.get())) throw NoFile(errno ? errno : EIO, path);
+  return bytes;
+}
+
+void write_bytes(const fs::path &given, const std::string &bytes) {
+  std::error_code failed;
+  // What a link points to is replaced, not the link.
+  const fs::path path = fs::is_symlink(given, failed) ? fs::weakly_canonical(given) : given;
+  if (fs::is_directory(path, failed)) throw NoFile(EISDIR, given);
+  // A short name of its own: the target's with an addition might be too long.
+  fs::path beside;
+  File file;
+  for (int i = 0; i < kNames && !file; ++i) {
+    beside = path.parent_path() / (".vbm-" + std::to_string(i) + ".part");
+    file.reset(open(beside, "wbx"));
+    if (!file && errno != EEXIST) throw NoFile(errno ? errno : EIO, given);
+  }
+  if (!file) throw NoFile(EEXIST, beside);
+  errno = 0;
+  bool good = std::fwrite(bytes.data(), 1, bytes.size(), file.get()) == bytes.size();
+  good = std::fflush(file.get()) == 0 && good;
+  int code = errno;
+  if (std::fclose(file.release()) != 0 && good) good = false, code = errno;
+  if (good) {
+    fs::rename(beside, path, failed);
+    good = !failed;
+    code = failed.value();
+  }
+  if (!good) {
+    std::error_code ignored;
+    fs::remove(beside, ignored);
+    throw NoFile(code ? code : EIO, given);
+  }
+}
+
+} // namespace vbm::files
