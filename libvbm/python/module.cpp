@@ -18,7 +18,8 @@ const char *const kDoc =
     "    surface.vertices, surface.triangles\n\n"
     "build(), build_volume() and build_range_scan() make a Model; Model.surface() and\n"
     "Model.power_crust() make a Surface. What goes wrong is raised as a subclass of Error, whose\n"
-    "message says what and where. \"Thesis\" in the help texts is R. Tam, \"Voronoi Ball Models "
+    "message says what and where. cluster() makes few balls of many, read_balls() and write_balls()\n"
+    "keep balls in files. \"Thesis\" in the help texts is R. Tam, \"Voronoi Ball Models "
     "for\n"
     "Computational Shape Applications\".";
 

@@ -143,7 +143,7 @@ BAD = {
     "huge.ply": (PLY.format(10**12) + "0 0 0 1\n", "1000000000000 elements \"vertex\" are announced"),
     "overflow.ply": (PLY.format(10**30), "line 3.*no whole number"),
     "negative.ply": (PLY.format(-4), "line 3.*\"-4\", which is no whole number"),
-    "short.ply": (PLY.format(2) + "0 0 0 1\n1 1 1 1   \n"[:11], "element \"vertex\" 1 "),
+    "short.ply": (PLY.format(2) + "0.25 0.25 0.25 1\n", "line 9: element \"vertex\" 1 is missing"),
     "few.ply": (PLY.format(1) + "0 0 0        \n", "line 9: element \"vertex\" 0 has too few"),
     "many.ply": (PLY.format(1) + "0 0 0 1 2\n", "line 9: element \"vertex\" 0 has too many"),
     "nan.ply": (PLY.format(1) + "0 nan 0 1\n", "line 9: y is \"nan\", which is not finite"),
@@ -212,7 +212,7 @@ def test_what_cannot_be_written(tmp_path):
     for arguments, message in [
         (dict(radii=[1, 1, -1, 1]), "ball 2 has a radius that is negative"),
         (dict(radii=[1, np.nan, 1, 1]), "ball 1 has a radius that is not finite"),
-        (dict(centers=CENTERS * [1, 1, np.inf]), "ball 0 has a centre"),
+        (dict(centers=CENTERS + [0, 0, np.inf]), "ball 0 has a centre"),
         (dict(triangles=[[0, 1, 4]]), "triangle 0 names ball 4, but there are 4"),
         (dict(edges=[[0, 1], [-1, 0]]), "edge 1 names ball -1"),
         (dict(attributes={"part": [1]}), "attribute part has 1 values for 4"),
