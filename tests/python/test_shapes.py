@@ -62,6 +62,27 @@ def test_box_from_its_faces():
     assert model.radii[model.inside].max() < 0.56
 
 
+@pytest.mark.parametrize("spacing", [0.25, 0.6, 2.0])
+@pytest.mark.parametrize("refine", [False, True])
+def test_no_gap_exceeds_the_spacing(spacing, refine):
+    vertices, triangles = models.box((4, 2, 1))
+    vertices = vertices @ np.linalg.qr(np.random.default_rng(3).normal(size=(3, 3)))[0]
+    model = vbm.build(vertices, triangles, spacing=spacing, refine=refine)
+    assert model.report.spacing == spacing
+    random = np.random.default_rng(4)
+    weights = random.dirichlet([1, 1, 1], (len(triangles), 400))
+    edge = random.random((len(triangles), 200, 1)) * [[[1, -1, 0]]] + [0, 1, 0]  # first to second corner
+    corners = vertices[triangles]
+    for share in (weights, edge):
+        points = np.einsum("tpk,tkx->tpx", share, corners).reshape(-1, 3)
+        nearest = [np.linalg.norm(model.samples - p, axis=1).min() for p in points]
+        assert max(nearest) <= spacing
+    # Nor is it met by far too many.
+    area = 2 * (4 * 2 + 4 * 1 + 2 * 1)
+    if not refine:
+        assert len(model.samples) < 8 + 2.5 * area / spacing**2 + 2 * 28 / spacing
+
+
 def two_spheres():
     """Two spheres beside each other, and which of them each point is on."""
     one = models.sphere(800)
