@@ -24,6 +24,9 @@ class VBM_MT_object(bpy.types.Menu):
         layout.operator("vbm.make_armature")
         layout.operator("vbm.part_groups")
         layout.separator()
+        layout.operator("vbm.cluster_balls")
+        layout.operator("vbm.ball_surface")
+        layout.separator()
         layout.operator("vbm.select_undersampled")
 
 

@@ -3,15 +3,10 @@
 
 import bpy
 import numpy as np
-from bpy.props import BoolProperty, EnumProperty, FloatProperty, IntProperty
+from bpy.props import EnumProperty, FloatProperty
 
-from . import ball_nodes, compat, creation, model, options, session, source
+from . import ball_object, creation, model, options, session, source
 from .job_operator import JobOperator
-
-#: Real spheres beyond so many vertices would fill the memory: instances are shown instead.
-_MOST_VERTICES = 6_000_000
-#: Vertices of an icosphere by subdivisions.
-_SPHERE_VERTICES = (0, 12, 42, 162, 642, 2562)
 
 SOURCE_DISPLAY = EnumProperty(
     name="Source Object", default="HIDE",
@@ -21,13 +16,8 @@ SOURCE_DISPLAY = EnumProperty(
            ("HIDE", "Hide", "Hide it in viewports and renders; Alt H shows it again")])
 
 
-def automatic_detail(count):
-    """The finest spheres, up to 642 vertices each, that the vertex budget allows."""
-    fits = [detail for detail in (4, 3, 2) if count * _SPHERE_VERTICES[detail] <= _MOST_VERTICES / 3]
-    return fits[0] if fits else 1
-
-
-class VBM_OT_build_balls(JobOperator, options.BuildOptions, bpy.types.Operator):
+class VBM_OT_build_balls(JobOperator, options.BuildOptions, ball_object.DisplayOptions,
+                         bpy.types.Operator):
     """Fill the active object with balls: one at every sample of its surface, as large as fits"""
 
     bl_idname = "vbm.build_balls"
@@ -42,14 +32,6 @@ class VBM_OT_build_balls(JobOperator, options.BuildOptions, bpy.types.Operator):
     outer_limit: FloatProperty(
         name="Largest Outer Ball", default=0.5, min=0.0, soft_max=2.0,
         description="Leave out outer balls of a larger radius, as a part of the shape's diagonal")
-    scale: FloatProperty(name="Ball Scale", default=1.0, min=0.0, soft_max=1.0,
-                         description="Size of the spheres shown, times their radius")
-    detail: IntProperty(name="Detail", default=0, min=0, max=5,
-                        description="Subdivisions of the spheres; 0 chooses by their number")
-    solid_colors: BoolProperty(
-        name="Colors in Solid Mode", default=True,
-        description="Make the spheres real, so that Solid mode can colour them. Very many balls "
-        "stay instances, which only rendered views colour")
     source_display: SOURCE_DISPLAY
 
     def work(self, request, progress):
@@ -80,37 +62,12 @@ class VBM_OT_build_balls(JobOperator, options.BuildOptions, bpy.types.Operator):
         return outer if self.side == "OUTER" else inside | outer
 
     def _make(self, made, origin, balls, radii, inside, centers):
-        mesh = bpy.data.meshes.new(f"{origin.name} Balls")
-        made.append((bpy.data.meshes, mesh))
-        creation.fill_mesh(mesh, centers)
-        creation.add_attribute(mesh, "radius", "FLOAT", radii)
-        creation.add_attribute(mesh, "inside", "BOOLEAN", inside)
-        material, is_new = ball_nodes.material()
-        if is_new:
-            made.append((bpy.data.materials, material))
-        group, is_new = ball_nodes.node_group()
-        if is_new:
-            made.append((bpy.data.node_groups, group))
-        mesh.materials.append(material)
-        obj = bpy.data.objects.new(f"{origin.name} Balls", mesh)
-        made.append((bpy.data.objects, obj))
+        obj = ball_object.make(made, f"{origin.name} Balls", centers, radii, self)
+        creation.add_attribute(obj.data, "inside", "BOOLEAN", inside)
         creation.place_like(obj, origin)
         obj[source.SOURCE_KEY] = origin.name
         creation.describe(obj, balls.report, balls.notes)
-        self._add_modifier(obj, group, material, radii)
         return obj
-
-    def _add_modifier(self, obj, group, material, radii):
-        modifier = obj.modifiers.new(ball_nodes.NAME, "NODES")
-        modifier.node_group = group
-        detail = self.detail or automatic_detail(len(radii))
-        real = self.solid_colors and len(radii) * _SPHERE_VERTICES[detail] <= _MOST_VERTICES
-        # A few very large or small balls would leave one colour to all others.
-        low, high = np.percentile(radii, (2, 98))
-        for name, value in ((ball_nodes.SCALE, self.scale), (ball_nodes.DETAIL, detail),
-                            (ball_nodes.LOW, float(low)), (ball_nodes.HIGH, float(high)),
-                            (ball_nodes.SOLID, real), (ball_nodes.MATERIAL, material)):
-            compat.set_modifier_input(modifier, name, value)
 
     def draw(self, context):
         layout = self.layout
@@ -127,9 +84,7 @@ def draw_own(layout, owner):
     options.draw_property(layout, owner, "side")
     if owner.side != "INNER":
         options.draw_property(layout, owner, "outer_limit")
-    options.draw_property(layout, owner, "scale")
-    options.draw_property(layout, owner, "detail")
-    options.draw_property(layout, owner, "solid_colors")
+    ball_object.draw_display(layout, owner)
     options.draw_property(layout, owner, "source_display")
 
 

@@ -22,10 +22,7 @@ class VBM_OT_rebuild_surface(JobOperator, options.BuildOptions, bpy.types.Operat
                 "samples added between them), so their attributes come along"),
                ("POWER_CRUST", "Power Crust", "The faces between the inner and the outer balls: "
                 "more vertices, follows the balls more closely")])
-    faces: EnumProperty(
-        name="Faces", default="TRIANGLES", description="Faces of a power crust",
-        items=[("TRIANGLES", "Triangles", "Every face cut into triangles"),
-               ("POLYGONS", "Polygons", "The faces as they are; not quite flat")])
+    faces: surface_object.FACES
     shading: surface_object.SHADING
     copy_data: BoolProperty(
         name="Copy Attributes", default=True,

@@ -9,6 +9,10 @@ from bpy.props import EnumProperty
 
 from . import creation, transfer
 
+FACES = EnumProperty(
+    name="Faces", default="TRIANGLES", description="Faces of the surface",
+    items=[("TRIANGLES", "Triangles", "Every face cut into triangles"),
+           ("POLYGONS", "Polygons", "The faces as they are; not quite flat")])
 SHADING = EnumProperty(
     name="Shading", default="SOURCE", description="How the faces are shaded",
     items=[("SOURCE", "As the Source", "As most of the source's faces; smooth for loose points"),

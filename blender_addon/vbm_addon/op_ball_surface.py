@@ -1,0 +1,68 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Operator: a closed surface of the union of the selected balls (thesis 8.3)."""
+
+import bpy
+from bpy.props import BoolProperty
+
+from . import creation, op_balls, options, session, surface_object
+from .ball_operator import BallOperator, place
+
+_NAMES = tuple(row["name"] for row in options.table("surface_from_balls"))
+
+
+class BallSurfaceOptions:
+    """The library's parameters of surfaces from balls."""
+
+    __annotations__ = options.properties_of("surface_from_balls", set())
+
+
+class VBM_OT_ball_surface(BallOperator, BallSurfaceOptions, bpy.types.Operator):
+    """Make one closed surface of the selected balls: a ball object, metaballs, spheres, or empties \
+drawn as spheres"""
+
+    bl_idname = "vbm.ball_surface"
+    bl_label = "Surface from Balls"
+    doing = "Making a surface of the balls"
+    call = "surface_from_balls"
+
+    faces: surface_object.FACES
+    smooth: BoolProperty(name="Smooth Shading", default=False, description="Shade the faces smooth")
+    source_display: op_balls.SOURCE_DISPLAY
+
+    def arguments(self):
+        return options.arguments_of(self, _NAMES)
+
+    def finish(self, context, obj, request, surface):
+        balls = request.source
+        choices = surface_object.Choices(faces=self.faces,
+                                         shading="SMOOTH" if self.smooth else "FLAT")
+        with creation.undone_on_failure() as made:
+            mesh = surface_object.new_mesh(made, f"{balls.name} Union", obj, surface, choices)
+            new = bpy.data.objects.new(mesh.name, mesh)
+            made.append((bpy.data.objects, new))
+            place(context, obj, new, balls, self.source_display)
+        report = surface.report
+        creation.describe(new, report, surface.notes)
+        pieces = "" if report.components == 1 else f", {report.components:,} pieces"
+        return session.Outcome(
+            f"{new.name}: {len(mesh.polygons):,} faces for {len(balls.radii):,} balls, genus "
+            f"{report.genus}{pieces}", [f"Area {report.area:.4g}, volume {report.volume:.4g}"],
+            list(surface.notes) + balls.notes)
+
+    def draw(self, context):
+        layout = self.layout
+        layout.use_property_split = True
+        draw_own(layout, self)
+
+
+def draw_own(layout, owner):
+    for name in _NAMES + ("faces", "smooth", "source_display"):
+        options.draw_property(layout, owner, name)
+
+
+def register():
+    bpy.utils.register_class(VBM_OT_ball_surface)
+
+
+def unregister():
+    bpy.utils.unregister_class(VBM_OT_ball_surface)

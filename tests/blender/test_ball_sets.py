@@ -1,0 +1,154 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Operators that start from balls: their sources, clustering, and the surface of their union."""
+
+import bpy
+import numpy as np
+import pytest
+from helpers import activate, active, box, icosphere, positions, snapshot, topology, torus, values
+from mathutils import Matrix
+from vbm_addon import ball_source, library, session
+
+
+def select(*objects):
+    bpy.ops.object.select_all(action="DESELECT")
+    for obj in objects:
+        obj.select_set(True)
+    bpy.context.view_layer.objects.active = objects[0]
+    bpy.context.view_layer.update()
+
+
+def empty(place, size, scale=(1, 1, 1)):
+    obj = bpy.data.objects.new("Ball", None)
+    obj.empty_display_type, obj.empty_display_size = "SPHERE", size
+    obj.location, obj.scale = place, scale
+    bpy.context.collection.objects.link(obj)
+    return obj
+
+
+def ball_object():
+    torus()
+    bpy.ops.vbm.build_balls()
+    return active()
+
+
+def test_empties_and_spheres_in_the_world():
+    first = empty((1, 2, 3), 0.5, (2, 2, 2))
+    bpy.ops.mesh.primitive_uv_sphere_add(radius=0.7, location=(1, 2, 4.2))
+    second = active()
+    second.scale = (2, 2, 2)
+    bpy.ops.mesh.primitive_ico_sphere_add(radius=0.5, location=(0, 0, 0), subdivisions=3)
+    third = active()
+    third.data.transform(Matrix.Translation((5, 0, 0)))
+    select(first, second, third)
+    balls = ball_source.read(bpy.context)
+    np.testing.assert_allclose(balls.centers, [(1, 2, 3), (1, 2, 4.2), (5, 0, 0)], atol=1e-5)
+    np.testing.assert_allclose(balls.radii, [1.0, 1.4, 0.5], rtol=1e-5)
+    assert balls.origin is None
+
+
+@pytest.mark.parametrize("make, message", [
+    (lambda: box(1, 1, 1, cuts=3), "is no sphere"),
+    (lambda: empty((0, 0, 0), 1.0, (1, 2, 1)), "scaled differently"),
+    (lambda: setattr(icosphere(), "scale", (1, 1, 0.9)), "is no sphere"),
+    (lambda: activate(bpy.data.objects["Bare"]), "is no sphere")])
+def test_what_is_no_ball_is_named(make, message):
+    mesh = bpy.data.meshes.new("Bare")
+    mesh.from_pydata([(0, 0, 0), (1, 0, 0), (0, 1, 0), (1, 1, 0.001)], [], [])
+    bpy.context.collection.objects.link(bpy.data.objects.new("Bare", mesh))
+    obj = make() or active()
+    select(obj)
+    before = snapshot()
+    with pytest.raises(RuntimeError, match=message):
+        bpy.ops.vbm.ball_surface()
+    assert snapshot() == before
+
+
+def test_metaballs():
+    bpy.ops.object.metaball_add(location=(1, 0, 0))
+    meta = active()
+    meta.data.elements[0].radius = 1.0
+    other = meta.data.elements.new(type="BALL")
+    other.co, other.radius = (1.5, 0, 0), 0.8
+    meta.data.elements.new(type="CUBE")
+    hole = meta.data.elements.new(type="BALL")
+    hole.use_negative = True
+    select(meta)
+    bpy.ops.vbm.ball_surface()
+    new = active()
+    assert topology(new.data) == (1, 0)
+    assert any("2 elements" in note for note in session.last.notes)
+    assert new.matrix_world == meta.matrix_world and meta.hide_get()
+    at = positions(new.data)
+    assert at[:, 0].min() < -0.9 and 2.2 < at[:, 0].max() <= 2.3001
+    expected = library.vbm.surface_from_balls([(0, 0, 0), (1.5, 0, 0)], [1.0, np.float32(0.8)])
+    np.testing.assert_array_equal(at, expected.vertices.astype(np.float32))
+
+
+def test_surface_of_a_ring_of_empties():
+    turn = np.linspace(0, 2 * np.pi, 12, endpoint=False)
+    select(*[empty((3 * np.cos(t), 3 * np.sin(t), 0), 1.0) for t in turn])
+    assert bpy.ops.vbm.ball_surface() == {"FINISHED"}
+    assert topology(active().data) == (1, 1)
+    assert active()["vbm_report"]["genus"] == 1
+
+
+def test_surface_of_a_ball_model():
+    balls = ball_object()
+    source = balls["vbm_source"]
+    select(balls)
+    bpy.ops.vbm.ball_surface(faces="POLYGONS")
+    new = active()
+    assert topology(new.data) == (1, 1)
+    assert max(len(face.vertices) for face in new.data.polygons) > 3
+    assert balls.hide_get() and new["vbm_source"] == source
+
+
+@pytest.mark.parametrize("style", next(
+    [name for name, *_ in row["items"]] for row in library.vbm.parameters()
+    if (row["operation"], row["name"]) == ("surface_from_balls", "style")))
+def test_every_style(style):
+    select(empty((0, 0, 0), 1.0), empty((1.2, 0, 0), 1.0), empty((0.6, 1, 0), 0.9))
+    bpy.ops.vbm.ball_surface(style=style.upper())
+    assert topology(active().data) == (1, 0)
+
+
+def test_cluster_is_the_librarys():
+    balls = ball_object()
+    centers, radii = ball_source.of_ball_object(balls)
+    expected = library.vbm.cluster(centers, radii, sphericity=np.float32(0.8).item())
+    select(balls)
+    assert bpy.ops.vbm.cluster_balls(sphericity=0.8) == {"FINISHED"}
+    new = active()
+    assert 0 < len(new.data.vertices) < len(radii)
+    np.testing.assert_array_equal(positions(new.data), expected.centers.astype(np.float32))
+    np.testing.assert_array_equal(values(new.data, "radius"), expected.radii.astype(np.float32))
+    assert new.modifiers and new["vbm_source"] == "Torus"
+
+
+def test_cluster_to_a_number_and_the_redo_panel():
+    balls = ball_object()
+    select(balls)
+    bpy.ops.vbm.cluster_balls(by="COUNT", count=50)
+    assert len(active().data.vertices) == 50
+    select(activate(balls))
+    bpy.ops.vbm.cluster_balls(by="COUNT", count=20)
+    assert len(active().data.vertices) == 20
+
+
+def test_undo():
+    balls = ball_object()
+    select(balls)
+    bpy.ops.ed.undo_push(message="start")
+    before = snapshot()
+    bpy.ops.vbm.cluster_balls("EXEC_DEFAULT", True)
+    assert snapshot() != before
+    bpy.ops.ed.undo()
+    assert snapshot() == before
+
+
+def test_poll():
+    assert not bpy.ops.vbm.ball_surface.poll()
+    bpy.ops.object.light_add()
+    assert not bpy.ops.vbm.cluster_balls.poll()
+    select(empty((0, 0, 0), 1.0))
+    assert bpy.ops.vbm.ball_surface.poll() and bpy.ops.vbm.cluster_balls.poll()
