@@ -60,4 +60,16 @@ bool set_option(vbm_axis_surface_options &options, const std::string &name, doub
   return true;
 }
 
+bool set_option(vbm_ball_surface_options &options, const std::string &name, double value) {
+  if (name == "style")
+    options.style = whole(value);
+  else if (name == "bulge")
+    options.bulge = value;
+  else if (name == "bridge")
+    options.bridge = value;
+  else
+    return false;
+  return true;
+}
+
 } // namespace vbm_filters

@@ -25,6 +25,56 @@ MeshModel *balls(MeshDocument &document, const std::vector<std::array<double, 4>
   return layer;
 }
 
+std::vector<std::array<double, 4>> ring(int count) {
+  std::vector<std::array<double, 4>> list;
+  for (int i = 0; i < count; ++i) {
+    const double turn = 2 * kPi * i / count;
+    list.push_back({3 * std::cos(turn), 3 * std::sin(turn), 0.1 * (i % 2), 1});
+  }
+  return list;
+}
+
+void expect_closed(MeshModel &layer, int genus, int components = 1) {
+  const auto check = shapes::check(layer);
+  EXPECT_EQ(check.border_edges + check.bad_edges + check.bad_vertices + check.holes, 0);
+  EXPECT_EQ(check.genus, genus);
+  EXPECT_EQ(check.components, components);
+  EXPECT_TRUE(check.oriented);
+  EXPECT_GT(check.volume, 0);
+}
+
+TEST(BallSurface, HasTheTopologyOfTheUnion) {
+  MeshDocument document;
+  MeshModel *source = balls(document, ring(12));
+  auto result = host::apply(host::kBallSurface, document);
+  ASSERT_TRUE(result.ok) << result.error;
+  EXPECT_EQ(document.mm()->label(), "balls surface");
+  EXPECT_TRUE(result.logged("Took 12 balls."));
+  EXPECT_TRUE(result.logged("genus 1"));
+  expect_closed(*document.mm(), 1);
+  EXPECT_FALSE(source->isVisible());
+
+  // Far apart: each ball a surface of its own.
+  balls(document, {{0, 0, 0, 1}, {5, 0, 0, 2}, {0, 9, 0, 0.5}});
+  result = host::apply(host::kBallSurface, document);
+  ASSERT_TRUE(result.ok) << result.error;
+  expect_closed(*document.mm(), 0, 3);
+}
+
+TEST(BallSurface, OfABallModelHasAboutAFaceABall) {
+  MeshDocument document;
+  shapes::torus(document, 3, 1);
+  ASSERT_TRUE(host::apply(host::kBalls, document, {{"spacing", -1}}).ok);
+  const int count = document.mm()->cm.VN();
+  const auto result = host::apply(host::kBallSurface, document, {{"polygons", 1}});
+  ASSERT_TRUE(result.ok) << result.error;
+  expect_closed(*document.mm(), 1);
+  EXPECT_TRUE(document.mm()->hasDataMask(MeshModel::MM_POLYGONAL));
+  // Balls have colours, faces have those of their balls.
+  EXPECT_TRUE(document.mm()->hasDataMask(MeshModel::MM_FACECOLOR));
+  EXPECT_GT(document.mm()->cm.FN(), count);
+}
+
 TEST(BallMeasures, AreThoseOfTwoBalls) {
   MeshDocument document;
   MeshModel *layer = balls(document, {{0, 0, 0, 1}, {1, 0, 0, 1}, {0.2, 0, 0, 0.1}});
@@ -47,7 +97,7 @@ TEST(BallMeasures, AreThoseOfTwoBalls) {
 }
 
 TEST(BallFilters, RefuseWhatIsNoBalls) {
-  for (const char *filter : {host::kBallMeasures}) {
+  for (const char *filter : {host::kBallSurface, host::kBallMeasures}) {
     {
       MeshDocument document;
       shapes::sphere(document, 2);

@@ -18,7 +18,7 @@ TEST(Plugin, HasItsFilters) {
   EXPECT_EQ(host::filter_names(),
             (std::vector<std::string>{host::kBalls, host::kSurface, host::kThickness, host::kAxis,
                                       host::kSimplify, host::kRemoveParts, host::kPartColor,
-                                      host::kBallMeasures}));
+                                      host::kBallSurface, host::kBallMeasures}));
 }
 
 TEST(Plugin, TellsWhatEachFilterIsAndDoes) {
@@ -30,8 +30,8 @@ TEST(Plugin, TellsWhatEachFilterIsAndDoes) {
     EXPECT_NE(help.find("<i>R. Tam</i>"), std::string::npos) << filter;
   }
   // With anything else, MeshLab restores the layer to an earlier dialog's idea of it on Apply.
-  for (const char *filter :
-       {host::kBalls, host::kSurface, host::kAxis, host::kSimplify, host::kRemoveParts})
+  for (const char *filter : {host::kBalls, host::kSurface, host::kAxis, host::kSimplify,
+                             host::kRemoveParts, host::kBallSurface})
     EXPECT_EQ(host::changes(filter), MeshModel::MM_NONE) << filter;
   EXPECT_EQ(host::changes(host::kBallMeasures), MeshModel::MM_VERTQUALITY);
   EXPECT_EQ(host::changes(host::kPartColor), MeshModel::MM_VERTQUALITY | MeshModel::MM_VERTCOLOR);
@@ -65,6 +65,7 @@ TEST(Plugin, ShowsEveryOptionOfTheLibrary) {
     expect_all("prune", filter, vbm::PruneOptions(), 3);
   for (const char *filter : {host::kSimplify, host::kRemoveParts})
     expect_all("axis_surface", filter, vbm::AxisSurfaceOptions(), 1);
+  expect_all("surface_from_balls", host::kBallSurface, vbm::BallSurfaceOptions(), 3);
 }
 
 TEST(Plugin, OffersOnlyLabelsThatAMeshCanHave) {

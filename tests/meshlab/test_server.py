@@ -193,13 +193,18 @@ def test_colour_by_part(tmp_path):
 def test_balls_from_a_file(tmp_path):
     """MeshLab itself reads a PLY file's radius, and writes it: balls go in and out."""
     write_ply(tmp_path / "in.ply", [(0, 0, 0), (1, 0, 0), (0.2, 0, 0)], radii=[1, 1, 0.1])
-    code, said = server("-i", tmp_path / "in.ply", "-s", script(tmp_path / "f.mlx", step("Measure Union of Balls")),
-                        "-o", tmp_path / "shares.ply", "-m", "vq", "vr")
+    code, said = server("-i", tmp_path / "in.ply", "-s", script(tmp_path / "f.mlx", step("Measure Union of Balls"), step("Build Surface from Balls")),
+                        "-o", tmp_path / "shares.ply", "-l", "0", "-m", "vq", "vr", "-o", tmp_path / "surface.ply", "-l", "1", "-m", "vr")
     assert code == 0, said
     assert "Union of 3 balls: volume 7.06858, area 18.8496." in said
     shares, _ = read_ply(tmp_path / "shares.ply")
     np.testing.assert_allclose(shares["radius"], [1, 1, 0.1], rtol=1e-6)
     np.testing.assert_allclose(shares["quality"], [9 * np.pi / 8, 9 * np.pi / 8, 0], atol=1e-5)
+    surface, triangles = read_ply(tmp_path / "surface.ply")
+    assert closed(triangles) and euler(surface, triangles) == 2
+    at = np.stack([surface["x"], surface["y"], surface["z"]], axis=-1)
+    distance = np.minimum(np.linalg.norm(at, axis=1), np.linalg.norm(at - (1, 0, 0), axis=1))
+    np.testing.assert_allclose(distance, 1, atol=1e-4)
 
 
 def test_failure_says_why(tmp_path):
