@@ -72,4 +72,16 @@ bool set_option(vbm_ball_surface_options &options, const std::string &name, doub
   return true;
 }
 
+bool set_option(vbm_cluster_options &options, const std::string &name, double value) {
+  if (name == "sphericity")
+    options.sphericity = value;
+  else if (name == "count")
+    options.count = static_cast<std::uint64_t>(value);
+  else if (name == "measure")
+    options.measure = whole(value);
+  else
+    return false;
+  return true;
+}
+
 } // namespace vbm_filters

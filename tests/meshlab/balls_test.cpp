@@ -75,6 +75,24 @@ TEST(BallSurface, OfABallModelHasAboutAFaceABall) {
   EXPECT_GT(document.mm()->cm.FN(), count);
 }
 
+TEST(Cluster, PutsOneBallInTheirPlace) {
+  MeshDocument document;
+  balls(document, {{0, 0, 0, 1}, {0.01, 0, 0, 1}, {7, 0, 0, 1}});
+  auto result = host::apply(host::kCluster, document, {{"sphericity", 0.9}});
+  ASSERT_TRUE(result.ok) << result.error;
+  EXPECT_TRUE(result.logged("3 balls in 2 clusters, 1 of them of one ball"));
+  ASSERT_TRUE(document.mm()->hasDataMask(MeshModel::MM_VERTRADIUS | MeshModel::MM_VERTCOLOR));
+  ASSERT_EQ(document.mm()->cm.VN(), 2);
+  EXPECT_EQ(document.mm()->label(), "balls clusters");
+  for (const auto &v : document.mm()->cm.vert) EXPECT_NEAR(v.cR(), v.cP()[0] > 1 ? 1 : 1.005, 1e-6);
+
+  document.setCurrentMesh(0);
+  result = host::apply(host::kCluster, document, {{"count", 1}});
+  ASSERT_TRUE(result.ok) << result.error;
+  ASSERT_EQ(document.mm()->cm.VN(), 1);
+  EXPECT_NEAR(document.mm()->cm.vert[0].cR(), 4.5, 1e-5);
+}
+
 TEST(BallMeasures, AreThoseOfTwoBalls) {
   MeshDocument document;
   MeshModel *layer = balls(document, {{0, 0, 0, 1}, {1, 0, 0, 1}, {0.2, 0, 0, 0.1}});
@@ -97,7 +115,7 @@ TEST(BallMeasures, AreThoseOfTwoBalls) {
 }
 
 TEST(BallFilters, RefuseWhatIsNoBalls) {
-  for (const char *filter : {host::kBallSurface, host::kBallMeasures}) {
+  for (const char *filter : {host::kBallSurface, host::kCluster, host::kBallMeasures}) {
     {
       MeshDocument document;
       shapes::sphere(document, 2);

@@ -26,6 +26,7 @@ const char *const kSimplify = "Voronoi Balls: Simplify Shape";
 const char *const kRemoveParts = "Voronoi Balls: Remove Selected Parts";
 const char *const kPartColor = "Voronoi Balls: Colour by Part";
 const char *const kBallSurface = "Voronoi Balls: Build Surface from Balls";
+const char *const kCluster = "Voronoi Balls: Cluster Balls";
 const char *const kBallMeasures = "Voronoi Balls: Measure Union of Balls";
 
 namespace {

@@ -18,7 +18,7 @@ TEST(Plugin, HasItsFilters) {
   EXPECT_EQ(host::filter_names(),
             (std::vector<std::string>{host::kBalls, host::kSurface, host::kThickness, host::kAxis,
                                       host::kSimplify, host::kRemoveParts, host::kPartColor,
-                                      host::kBallSurface, host::kBallMeasures}));
+                                      host::kBallSurface, host::kCluster, host::kBallMeasures}));
 }
 
 TEST(Plugin, TellsWhatEachFilterIsAndDoes) {
@@ -31,7 +31,7 @@ TEST(Plugin, TellsWhatEachFilterIsAndDoes) {
   }
   // With anything else, MeshLab restores the layer to an earlier dialog's idea of it on Apply.
   for (const char *filter : {host::kBalls, host::kSurface, host::kAxis, host::kSimplify,
-                             host::kRemoveParts, host::kBallSurface})
+                             host::kRemoveParts, host::kBallSurface, host::kCluster})
     EXPECT_EQ(host::changes(filter), MeshModel::MM_NONE) << filter;
   EXPECT_EQ(host::changes(host::kBallMeasures), MeshModel::MM_VERTQUALITY);
   EXPECT_EQ(host::changes(host::kPartColor), MeshModel::MM_VERTQUALITY | MeshModel::MM_VERTCOLOR);
@@ -66,6 +66,7 @@ TEST(Plugin, ShowsEveryOptionOfTheLibrary) {
   for (const char *filter : {host::kSimplify, host::kRemoveParts})
     expect_all("axis_surface", filter, vbm::AxisSurfaceOptions(), 1);
   expect_all("surface_from_balls", host::kBallSurface, vbm::BallSurfaceOptions(), 3);
+  expect_all("cluster", host::kCluster, vbm::ClusterOptions(), 3);
 }
 
 TEST(Plugin, OffersOnlyLabelsThatAMeshCanHave) {

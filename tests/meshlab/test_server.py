@@ -193,18 +193,39 @@ def test_colour_by_part(tmp_path):
 def test_balls_from_a_file(tmp_path):
     """MeshLab itself reads a PLY file's radius, and writes it: balls go in and out."""
     write_ply(tmp_path / "in.ply", [(0, 0, 0), (1, 0, 0), (0.2, 0, 0)], radii=[1, 1, 0.1])
-    code, said = server("-i", tmp_path / "in.ply", "-s", script(tmp_path / "f.mlx", step("Measure Union of Balls"), step("Build Surface from Balls")),
-                        "-o", tmp_path / "shares.ply", "-l", "0", "-m", "vq", "vr", "-o", tmp_path / "surface.ply", "-l", "1", "-m", "vr")
+    code, said = server("-i", tmp_path / "in.ply",
+                        "-s", script(tmp_path / "f.mlx", step("Measure Union of Balls"), step("Cluster Balls", count=1),
+                                     step("Build Surface from Balls")),
+                        "-o", tmp_path / "shares.ply", "-l", "0", "-m", "vq", "vr", "-o", tmp_path / "one.ply", "-l", "1", "-m", "vr",
+                        "-o", tmp_path / "surface.ply", "-l", "2", "-m", "vr")
     assert code == 0, said
     assert "Union of 3 balls: volume 7.06858, area 18.8496." in said
     shares, _ = read_ply(tmp_path / "shares.ply")
     np.testing.assert_allclose(shares["radius"], [1, 1, 0.1], rtol=1e-6)
     np.testing.assert_allclose(shares["quality"], [9 * np.pi / 8, 9 * np.pi / 8, 0], atol=1e-5)
+    ball, _ = read_ply(tmp_path / "one.ply")
+    np.testing.assert_allclose([ball["x"][0], ball["radius"][0]], [0.5, 1.5], atol=1e-5)
     surface, triangles = read_ply(tmp_path / "surface.ply")
     assert closed(triangles) and euler(surface, triangles) == 2
-    at = np.stack([surface["x"], surface["y"], surface["z"]], axis=-1)
-    distance = np.minimum(np.linalg.norm(at, axis=1), np.linalg.norm(at - (1, 0, 0), axis=1))
-    np.testing.assert_allclose(distance, 1, atol=1e-4)
+    np.testing.assert_allclose(np.hypot(np.hypot(surface["x"] - 0.5, surface["y"]), surface["z"]), 1.5, atol=1e-4)
+
+
+def test_files_of_balls(tmp_path):
+    (tmp_path / "in.csv").write_text("x,y,z,radius\n0.1,0,0,1\n1,0,0,0.5\n")
+    code, said = server("-i", tmp_path / "in.csv", "-s", script(tmp_path / "f.mlx", step("Measure Union of Balls")),
+                        "-o", tmp_path / "out.csv", "-m", "vr", "-o", tmp_path / "out.ma", "-m", "vr", locale="de_DE.UTF-8")
+    assert code == 0, said
+    assert "Union of 2 balls: volume 4." in said
+    rows = (tmp_path / "out.csv").read_text().splitlines()
+    assert [[float(x) for x in row.split(",")] for row in rows[1:]] == [[0.1, 0, 0, 1], [1, 0, 0, 0.5]]
+    assert (tmp_path / "out.ma").read_text().split() == "2 0 0 v 0.1 0 0 1 v 1 0 0 0.5".split()
+
+
+def test_a_bad_file_of_balls_says_where(tmp_path):
+    (tmp_path / "in.csv").write_text("0,0,0,1\n0,0,zero,1\n")
+    code, said = server("-i", tmp_path / "in.csv", "-o", tmp_path / "out.ply")
+    assert "line 2" in said
+    assert not (tmp_path / "out.ply").exists()
 
 
 def test_failure_says_why(tmp_path):

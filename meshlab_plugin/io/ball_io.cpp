@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ball_io.h"
+
+#include "../filters/layer.h"
+#include "../filters/text.h"
+#include "../host/mesh_copy.h"
+#include "files/ball_file.h"
+
+#include <QFile>
+
+#include <algorithm>
+#include <charconv>
+#include <filesystem>
+#include <iterator>
+
+namespace vbm_meshlab {
+
+using vbm_filters::Failure;
+
+namespace {
+
+std::filesystem::path path_of(const QString &path) { return QFile::encodeName(path).toStdString(); }
+
+// The number that a person would write for a layer's float: 0.1, not 0.10000000149011612. It is
+// read back as the same float.
+double plain(double value) {
+  char text[32];
+  const auto end = std::to_chars(text, text + sizeof text, static_cast<float>(value)).ptr;
+  double result = value;
+  std::from_chars(text, end, result);
+  return result;
+}
+
+std::vector<double> plain(const std::vector<double> &values) {
+  std::vector<double> result;
+  result.reserve(values.size());
+  for (double value : values) result.push_back(plain(value));
+  return result;
+}
+
+using Edge = std::pair<std::int32_t, std::int32_t>; // the lower index first
+
+std::vector<Edge> sorted(std::vector<Edge> edges) {
+  for (Edge &edge : edges) edge = std::minmax({edge.first, edge.second});
+  std::sort(edges.begin(), edges.end());
+  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+  return edges;
+}
+
+std::vector<Edge> pairs(const std::vector<std::int32_t> &indices) {
+  std::vector<Edge> edges;
+  for (std::size_t i = 0; i + 1 < indices.size(); i += 2)
+    edges.emplace_back(indices[i], indices[i + 1]);
+  return sorted(std::move(edges));
+}
+
+std::vector<Edge> sides_of(const std::vector<std::int32_t> &triangles) {
+  std::vector<Edge> edges;
+  for (std::size_t t = 0; t + 2 < triangles.size(); t += 3)
+    for (int k = 0; k < 3; ++k) edges.emplace_back(triangles[t + k], triangles[t + (k + 1) % 3]);
+  return sorted(std::move(edges));
+}
+
+// Only a Failure leaves.
+template <class Work> auto guarded(Work work) -> decltype(work()) {
+  try {
+    return work();
+  } catch (const Failure &) {
+    throw;
+  } catch (const std::bad_alloc &) {
+    throw Failure("There is not enough memory for this file.");
+  } catch (const std::exception &error) {
+    throw Failure(error.what());
+  } catch (...) {
+    throw Failure("The file failed for an unknown reason.");
+  }
+}
+
+} // namespace
+
+const std::vector<BallFormat> &ball_formats() {
+  static const std::vector<BallFormat> all = {
+      {"csv", "Balls: x, y, z, radius", true},
+      {"ma", "Balls of a medial mesh", true},
+      {"urdf", "Balls as collision spheres", false},
+  };
+  return all;
+}
+
+BallsRead read_balls(const QString &path, MeshModel &layer) {
+  return guarded([&] {
+    vbm::files::BallFile file = vbm::files::read_balls(path_of(path));
+    vbm_filters::NewLayer balls;
+    balls.points = std::move(file.centers);
+    balls.radius = std::move(file.radii);
+    balls.quality = balls.radius;
+    balls.triangles = std::move(file.triangles);
+    fill(layer, balls);
+
+    using vcg::tri::io::Mask;
+    BallsRead result;
+    result.mask = Mask::IOM_VERTCOORD | Mask::IOM_VERTRADIUS | Mask::IOM_VERTQUALITY;
+    if (!balls.triangles.empty()) result.mask |= Mask::IOM_FACEINDEX;
+    // Edges of triangles come with those.
+    std::vector<Edge> curves = pairs(file.edges), sides = sides_of(balls.triangles), alone;
+    std::set_difference(curves.begin(), curves.end(), sides.begin(), sides.end(),
+                        std::back_inserter(alone));
+    if (!alone.empty())
+      result.warning = QString::fromStdString(
+          "MeshLab's layers have no edges: " +
+          vbm_filters::count(alone.size(), "edge of no face is", "edges of no face are") +
+          " left out, their balls are there.");
+    return result;
+  });
+}
+
+void write_balls(const QString &path, MeshModel &layer) {
+  guarded([&] {
+    const Source source = copy_out(layer);
+    if (source.layer.radius.empty())
+      throw Failure("The vertices of this layer have no radius, so they are no balls to save: "
+                    "\"Build Ball Model\" makes a layer of balls from a shape.");
+    vbm::files::BallFile file;
+    file.centers = plain(source.layer.points);
+    file.radii = plain(source.layer.radius);
+    file.triangles = source.layer.triangles;
+    // Medial meshes list the sides of their faces as edges.
+    for (const Edge &side : sides_of(file.triangles))
+      file.edges.insert(file.edges.end(), {side.first, side.second});
+    vbm::files::write_balls(path_of(path), file);
+  });
+}
+
+} // namespace vbm_meshlab
