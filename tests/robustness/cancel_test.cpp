@@ -49,7 +49,8 @@ private:
   vbm_context *context_;
 };
 
-/// A whole job: balls, surface and crust. Its result, or "" if it was cancelled.
+/// A whole job: balls, surface and crust, axis, pruning and the surface after it. Its result, or ""
+/// if it was cancelled.
 class Job {
 public:
   Job(std::string name, Build build) : name(std::move(name)), build_(std::move(build)) {}
@@ -61,6 +62,7 @@ public:
     int sum = 0;
     vbm_model *model = reinterpret_cast<vbm_model *>(this);
     vbm_surface *surface = reinterpret_cast<vbm_surface *>(this), *crust = surface;
+    vbm_axis *axis = reinterpret_cast<vbm_axis *>(this), *pruned = axis;
     const int stop = watch.stop_at;
     const auto step = [&](auto &handle, auto &&call) {
       watch.restart();
@@ -91,6 +93,27 @@ public:
         if (done) {
           result += snapshot(crust);
           vbm_surface_free(crust);
+          done = step(axis, [&] { return vbm_model_medial_axis(context, model, nullptr, &axis); });
+        }
+        if (done) {
+          result += snapshot(axis);
+          vbm_prune_options options;
+          vbm_prune_options_init(&options, sizeof options);
+          options.measure = VBM_MEASURE_BALLS;
+          options.threshold = 0.02;
+          done = step(pruned, [&] { return vbm_axis_prune(context, axis, &options, &pruned); });
+          // Also after a cancelled pruning: the axis is untouched.
+          EXPECT_EQ(result.substr(result.size() - snapshot(axis).size()), snapshot(axis)) << name;
+          vbm_axis_free(axis);
+        }
+        if (done) {
+          result += snapshot(pruned);
+          surface = reinterpret_cast<vbm_surface *>(this);
+          done =
+              step(surface, [&] { return vbm_axis_surface(context, pruned, nullptr, &surface); });
+          vbm_axis_free(pruned);
+          if (done) result += snapshot(surface);
+          if (done) vbm_surface_free(surface);
         }
       }
       // Also after a cancelled surface: the model is untouched.
@@ -215,7 +238,17 @@ TEST_F(Cancel, WithoutACallbackAllIsTheSame) {
     Watch watch(context);
     watched = job.run(context, watch);
   }
-  EXPECT_TRUE(run(points_of(torus)).bytes == watched);
+  const std::string balls_and_surfaces = run(points_of(torus)).bytes;
+  vbm_model *model = nullptr;
+  ASSERT_EQ(points_of(torus)(context, nullptr, &model), VBM_OK);
+  vbm_axis *axis = nullptr;
+  ASSERT_EQ(vbm_model_medial_axis(context, model, nullptr, &axis), VBM_OK);
+  // Both go on after the crust: one as this job does, the other as the checks do.
+  const size_t shown = watched.find(snapshot(axis));
+  ASSERT_NE(shown, std::string::npos);
+  EXPECT_EQ(balls_and_surfaces.compare(0, shown, watched, 0, shown), 0);
+  vbm_axis_free(axis);
+  vbm_model_free(model);
 }
 
 } // namespace

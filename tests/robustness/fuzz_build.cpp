@@ -2,6 +2,7 @@
 // libFuzzer target: bytes become an input and options for the C interface, and whatever comes out
 // is checked as strictly as any other result. Coordinates are drawn from few values, so that points
 // coincide, lie on lines, planes and spheres, or nearly do.
+#include "check_axis.h"
 #include "check_model.h"
 #include "check_surface.h"
 #include "snapshot.h"
@@ -170,6 +171,8 @@ private:
     status = vbm_model_power_crust(context_, model, keep.data(), keep.size(), &surface);
     if (!any != (status == VBM_ERROR_NO_INTERIOR)) defect("a crust of no balls");
     shown += finish(status, surface, model, "power crust of some balls");
+    const Problems of_axis = exercise_axis(context_, model, &shown);
+    if (!of_axis.none()) defect("axis: " + of_axis.text());
     vbm_model_free(model);
     return shown;
   }

@@ -227,4 +227,64 @@ TEST_F(Memory, Surfaces) {
   vbm_context_free(maker);
 }
 
+TEST_F(Memory, Axes) {
+  vbm_context *maker = nullptr;
+  vbm_model *model = nullptr;
+  ASSERT_EQ(vbm_context_create(&maker), VBM_OK);
+  ASSERT_EQ(vbm_build_points(maker, torus.points.data(), torus.size(), nullptr, nullptr, &model),
+            VBM_OK);
+  const auto axis_of = [&](auto make) {
+    return [make](vbm_context *context, std::string *shown) {
+      vbm_axis *axis = nullptr;
+      const vbm_status status = make(context, &axis);
+      EXPECT_EQ(status == VBM_OK, axis != nullptr);
+      if (shown && axis) *shown = snapshot(axis);
+      vbm_axis_free(axis);
+      return status;
+    };
+  };
+  fail_everywhere("axis", axis_of([&](vbm_context *context, vbm_axis **out) {
+                    return vbm_model_medial_axis(context, model, nullptr, out);
+                  }));
+  vbm_prune_options options;
+  vbm_prune_options_init(&options, sizeof options);
+  options.measure = VBM_MEASURE_BALLS;
+  options.threshold = 0.02;
+  fail_everywhere("axis, volumes of balls, pruning",
+                  axis_of([&](vbm_context *context, vbm_axis **out) {
+                    vbm_axis *whole = nullptr;
+                    vbm_status status = vbm_model_medial_axis(context, model, nullptr, &whole);
+                    const double *shares = nullptr;
+                    size_t count = 0;
+                    if (status == VBM_OK)
+                      status = vbm_axis_part_ball_volumes(context, whole, &shares, &count);
+                    EXPECT_EQ(status == VBM_OK, shares != nullptr);
+                    if (status == VBM_OK) status = vbm_axis_prune(context, whole, &options, out);
+                    vbm_axis_free(whole);
+                    return status;
+                  }));
+  vbm_axis *axis = nullptr;
+  ASSERT_EQ(vbm_model_medial_axis(maker, model, nullptr, &axis), VBM_OK);
+  size_t count = 0;
+  const vbm_part *parts = vbm_axis_parts(axis, &count);
+  int32_t part = -1;
+  for (size_t p = 0; p < count && part < 0; ++p)
+    if (parts[p].lock == VBM_LOCK_NONE) part = int32_t(p);
+  if (part >= 0)
+    fail_everywhere("removing a part", axis_of([&](vbm_context *context, vbm_axis **out) {
+                      return vbm_axis_remove_parts(context, axis, &part, 1, out);
+                    }));
+  fail_everywhere("surface of an axis", [&](vbm_context *context, std::string *shown) {
+    vbm_surface *surface = nullptr;
+    const vbm_status status = vbm_axis_surface(context, axis, nullptr, &surface);
+    EXPECT_EQ(status == VBM_OK, surface != nullptr);
+    if (shown && surface) *shown = snapshot(surface);
+    vbm_surface_free(surface);
+    return status;
+  });
+  vbm_axis_free(axis);
+  vbm_model_free(model);
+  vbm_context_free(maker);
+}
+
 } // namespace

@@ -8,6 +8,7 @@
 
 #include <cstddef>
 #include <cstring>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -135,6 +136,67 @@ TEST_F(Structs, ReportsOfEverySize) {
   ASSERT_EQ(vbm_model_surface(context, model, &surface), VBM_OK);
   every_size(surface, vbm_surface_get_report);
   vbm_surface_free(surface);
+  vbm_axis *axis = nullptr;
+  ASSERT_EQ(vbm_model_medial_axis(context, model, nullptr, &axis), VBM_OK);
+  every_size(axis, vbm_axis_get_report);
+  vbm_axis_free(axis);
+  vbm_model_free(model);
+}
+
+/// Options of every size are filled and read as far as they go, and give the usual result.
+template <class Options>
+void every_size_of(void (*init)(Options *, size_t),
+                   const std::function<std::string(const Options *)> &shown_with) {
+  Options defaults;
+  init(&defaults, sizeof defaults);
+  const std::string usual = shown_with(nullptr);
+  ASSERT_NE(usual, "");
+  for (size_t size = sizeof(size_t); size <= sizeof defaults + 40; ++size) {
+    Sized<Options> options(size);
+    init(options.get(), size);
+    EXPECT_TRUE(options.guard_untouched()) << size;
+    EXPECT_EQ(options.stated(), size);
+    const size_t known = std::min(size, sizeof defaults);
+    EXPECT_EQ(0, std::memcmp(options.data() + sizeof(size_t),
+                             reinterpret_cast<unsigned char *>(&defaults) + sizeof(size_t),
+                             known - sizeof(size_t)))
+        << size;
+    EXPECT_TRUE(shown_with(options.get()) == usual) << "another result with struct size " << size;
+  }
+  Options small = defaults;
+  for (size_t size = 0; size < sizeof(size_t); ++size) {
+    small.struct_size = size;
+    EXPECT_EQ(shown_with(&small), "") << "a struct of " << size << " bytes was taken";
+  }
+}
+
+TEST_F(Structs, AxisOptionsOfEverySize) {
+  vbm_model *model = nullptr;
+  ASSERT_EQ(points_of(torus)(context, nullptr, &model), VBM_OK);
+  const auto shown = [](auto *handle, void (*free)(decltype(handle))) {
+    const std::string bytes = handle ? snapshot(handle) : "";
+    free(handle);
+    return bytes;
+  };
+  vbm_axis *axis = nullptr;
+  ASSERT_EQ(vbm_model_medial_axis(context, model, nullptr, &axis), VBM_OK);
+  every_size_of<vbm_axis_options>(vbm_axis_options_init, [&](const vbm_axis_options *options) {
+    vbm_axis *out = nullptr;
+    vbm_model_medial_axis(context, model, options, &out);
+    return shown(out, vbm_axis_free);
+  });
+  every_size_of<vbm_prune_options>(vbm_prune_options_init, [&](const vbm_prune_options *options) {
+    vbm_axis *out = nullptr;
+    vbm_axis_prune(context, axis, options, &out);
+    return shown(out, vbm_axis_free);
+  });
+  every_size_of<vbm_axis_surface_options>(vbm_axis_surface_options_init,
+                                          [&](const vbm_axis_surface_options *options) {
+                                            vbm_surface *out = nullptr;
+                                            vbm_axis_surface(context, axis, options, &out);
+                                            return shown(out, vbm_surface_free);
+                                          });
+  vbm_axis_free(axis);
   vbm_model_free(model);
 }
 

@@ -51,6 +51,57 @@ TEST(Threads, ContextsAreIndependent) {
   at_once(bodies);
 }
 
+TEST(Threads, OneAxisManyReaders) {
+  const shapes::Shape torus = shapes::torus(30, 14, 2, .6, .2);
+  vbm_context *context = nullptr;
+  ASSERT_EQ(vbm_context_create(&context), VBM_OK);
+  vbm_model *model = nullptr;
+  ASSERT_EQ(points_of(torus)(context, nullptr, &model), VBM_OK) << vbm_context_message(context);
+  const auto make = [&] {
+    vbm_axis *axis = nullptr;
+    EXPECT_EQ(vbm_model_medial_axis(context, model, nullptr, &axis), VBM_OK);
+    return axis;
+  };
+  // All of them ask for the balls' volumes, which are found once, and prune by them.
+  const auto use = [&](const vbm_axis *axis, double threshold) {
+    vbm_context *own = nullptr;
+    EXPECT_EQ(vbm_context_create(&own), VBM_OK);
+    const double *shares = nullptr;
+    size_t count = 0;
+    EXPECT_EQ(vbm_axis_part_ball_volumes(own, axis, &shares, &count), VBM_OK);
+    std::string bytes(reinterpret_cast<const char *>(shares), count * sizeof *shares);
+    vbm_prune_options options;
+    vbm_prune_options_init(&options, sizeof options);
+    options.measure = VBM_MEASURE_BALLS;
+    options.threshold = threshold;
+    vbm_axis *pruned = nullptr;
+    EXPECT_EQ(vbm_axis_prune(own, axis, &options, &pruned), VBM_OK) << vbm_context_message(own);
+    bytes += snapshot(pruned);
+    vbm_surface *surface = nullptr;
+    EXPECT_EQ(vbm_axis_surface(own, pruned, nullptr, &surface), VBM_OK);
+    bytes += snapshot(surface);
+    vbm_surface_free(surface);
+    vbm_axis_free(pruned);
+    vbm_context_free(own);
+    return bytes;
+  };
+  const double thresholds[] = {0.001, 0.02, 0.3};
+  vbm_axis *first = make();
+  std::vector<std::string> alone, together(3);
+  for (double threshold : thresholds) alone.push_back(use(first, threshold));
+  vbm_axis_free(first);
+  vbm_axis *axis = make();
+  std::vector<std::function<void()>> bodies;
+  for (std::size_t t = 0; t < 3; ++t)
+    bodies.push_back([&, t] { together[t] = use(axis, thresholds[t]); });
+  at_once(bodies);
+  for (std::size_t t = 0; t < 3; ++t)
+    EXPECT_TRUE(together[t] == alone[t]) << "another result beside other threads: " << t;
+  vbm_axis_free(axis);
+  vbm_model_free(model);
+  vbm_context_free(context);
+}
+
 TEST(Threads, OneModelManyReaders) {
   const shapes::Shape torus = shapes::torus(30, 14, 2, .6, .2);
   vbm_context *context = nullptr;

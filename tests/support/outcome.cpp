@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "outcome.h"
 
+#include "check_axis.h"
 #include "check_model.h"
 #include "open_mesh.h"
 #include "snapshot.h"
@@ -89,6 +90,9 @@ Outcome run(const Build &build, const vbm_build_options &options, const Around &
           return vbm_model_power_crust(c, m, nullptr, 0, out);
         },
         around, outcome);
+    Problems of_axis;
+    around([&] { of_axis = exercise_axis(context, model, &outcome.bytes); });
+    if (!of_axis.none()) outcome.problems += of_axis.text();
   } else {
     if (model) outcome.problems += "a model beside a failure\n";
     if (outcome.message.empty()) outcome.problems += "no message\n";

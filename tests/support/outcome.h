@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One input taken all the way: balls, interpolating surface, power crust, and what is wrong with
-// them.
+// One input taken all the way: balls, interpolating surface, power crust, medial axis, pruning and
+// the surface after it, and what is wrong with them.
 #pragma once
 
 #include "check_surface.h"
@@ -38,6 +38,6 @@ Build mesh_of(const shapes::Shape &shape);
 /// Round every call into the library that computes: to do it in another environment.
 using Around = std::function<void(const std::function<void()> &)>;
 
-/// Run it, checking the model (by brute force too, if small) and both surfaces.
+/// Run it, checking the model (by brute force too, if small), all surfaces and axes.
 Outcome run(const Build &build, const vbm_build_options &options = make_options(),
             const Around &around = {});

@@ -72,3 +72,36 @@ std::string snapshot(const vbm_surface *surface) {
   append(out, surface, vbm_surface_vertex_radius);
   return out;
 }
+
+std::string snapshot(const vbm_axis *axis) {
+  std::string out;
+  vbm_axis_report report;
+  std::memset(&report, 0, sizeof report);
+  report.struct_size = sizeof report;
+  vbm_axis_get_report(axis, &report);
+  append(out, reinterpret_cast<const char *>(&report), sizeof report);
+  append(out, vbm_axis_notes(axis), std::strlen(vbm_axis_notes(axis)));
+  append(out, axis, vbm_axis_vertices, 3);
+  append(out, axis, vbm_axis_radii);
+  append(out, axis, vbm_axis_triangles, 3);
+  append(out, axis, vbm_axis_triangle_samples, 2);
+  append(out, axis, vbm_axis_triangle_part);
+  append(out, axis, vbm_axis_curves, 2);
+  append(out, axis, vbm_axis_curve_part);
+  append(out, axis, vbm_axis_kept_balls);
+  append(out, axis, vbm_axis_nodes, 3);
+  append(out, axis, vbm_axis_part_balls, report.parts);
+  append(out, axis, vbm_axis_part_nodes, report.parts);
+  size_t count = 0;
+  const vbm_part *parts = vbm_axis_parts(axis, &count);
+  for (size_t p = 0; p < count; ++p) { // without what lies between fields
+    append(out, &parts[p].level, 2);
+    append(out, &parts[p].triangles, 2);
+    append(out, &parts[p].area, 8);
+  }
+  const int32_t *locks = nullptr;
+  const int32_t *stayed = vbm_axis_stayed(axis, &locks, &count);
+  append(out, stayed, count);
+  append(out, locks, count);
+  return out;
+}

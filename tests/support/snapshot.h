@@ -8,3 +8,4 @@
 
 std::string snapshot(const vbm_model *model);
 std::string snapshot(const vbm_surface *surface);
+std::string snapshot(const vbm_axis *axis);

@@ -70,11 +70,15 @@ Surface axis_surface(const Axis &axis, const vbm_axis_surface_options &options,
   for (std::size_t back = 1;;) {
     const std::vector<uint8_t> kept = kept_before(axis, count, details);
     const bool all = std::find(kept.begin(), kept.end(), 0) == kept.end();
+    // Where an axis's last vertices are not polar balls' there may be none.
+    const bool any = std::find(kept.begin(), kept.end(), 1) != kept.end();
     const std::vector<uint8_t> outer =
         options.drop_outer && !all ? outer_kept(model, kept) : std::vector<uint8_t>();
-    Surface surface = power_crust(model, all ? nullptr : kept.data(),
-                                  outer.empty() ? nullptr : outer.data(), progress);
-    if (all || (surface.report.euler == euler && surface.report.components == components)) {
+    Surface surface;
+    if (any)
+      surface = power_crust(model, all ? nullptr : kept.data(),
+                            outer.empty() ? nullptr : outer.data(), progress);
+    if (all || (any && surface.report.euler == euler && surface.report.components == components)) {
       if (const std::size_t taken = axis.removed.size() - count)
         surface.notes += std::to_string(taken) + " of " + std::to_string(axis.removed.size()) +
                          " removed parts came back for the surface, whose topology would have "
