@@ -112,3 +112,209 @@ def test_curve_skeleton_has_the_axis_s_topology(shape, axis):
     assert betti(mesh) == numbers
     assert_clean(mesh)
     assert (len(mesh.triangles) > 0) == (numbers[2] > 0) == bool(mesh.notes)
+
+
+# ---- Errors, against a program that shares nothing with the library ------------------------------
+
+
+def mixtures(mesh, steps):
+    """Balls mixed over every cell, (n, 4)."""
+    balls = np.column_stack([mesh.vertices, mesh.radii])
+    i, j = np.meshgrid(np.arange(steps + 1), np.arange(steps + 1), indexing="ij")
+    keep = i + j <= steps
+    over = np.stack([steps - i - j, i, j], -1)[keep] / steps
+    along = np.stack([np.arange(steps + 1), steps - np.arange(steps + 1)], 1) / steps
+    return np.concatenate([balls, np.einsum("wk,tkc->twc", over, balls[mesh.triangles]).reshape(-1, 4),
+                           np.einsum("wk,tkc->twc", along, balls[mesh.edges]).reshape(-1, 4)])
+
+
+def signed_distance(points, balls):
+    """To the union of the balls, and the ball that says so."""
+    best, which = np.full(len(points), np.inf), np.zeros(len(points), int)
+    for begin in range(0, len(balls), 200):
+        some = balls[begin:begin + 200]
+        d = np.linalg.norm(points[:, None] - some[:, :3], axis=2) - some[:, 3]
+        k = d.argmin(axis=1)
+        nearer = d[np.arange(len(points)), k] < best
+        best[nearer], which[nearer] = d[nearer, k[nearer]], begin + k[nearer]
+    return best, which
+
+
+def to_triangles(points, corners):
+    """Distance to the nearest triangle, by projection and by the edges."""
+    best = np.full(len(points), np.inf)
+    for a, b, c in corners:
+        n = np.cross(b - a, c - a)
+        n /= np.linalg.norm(n)
+        inside = np.ones(len(points), bool)
+        for p, q in ((a, b), (b, c), (c, a)):
+            t = np.clip((points - p) @ (q - p) / ((q - p) @ (q - p)), 0, 1)
+            best = np.minimum(best, np.linalg.norm(points - p - t[:, None] * (q - p), axis=1))
+            inside &= (points - p) @ np.cross(n, q - p) >= 0
+        best[inside] = np.minimum(best[inside], abs((points[inside] - a) @ n))
+    return best
+
+
+@pytest.mark.parametrize("count", [6, 20])
+def test_errors_agree_with_brute_force(count):
+    model = vbm.build(models.blob(500))
+    mesh = model.medial_axis().simplify(count)
+    report, diagonal = mesh.report, model.report.diagonal
+    balls = mixtures(mesh, 12)
+    # Points of all these balls, those left out that another one covers.
+    random = np.random.default_rng(0)
+    out = random.normal(size=(len(balls), 40, 3))
+    out /= np.linalg.norm(out, axis=2, keepdims=True)
+    shell = (balls[:, None, :3] + balls[:, None, 3:] * out).reshape(-1, 3)
+    shell = shell[signed_distance(shell, balls)[0] > -1e-4]
+    surface = model.surface()
+    corners = surface.vertices[surface.triangles]
+    largest = to_triangles(shell, corners).max() / diagonal
+    assert 0.98 * largest < report.envelope_error_max < 1.2 * largest
+    # As many points wherever there is as much of the boundary: a thin layer of random points.
+    low, high = model.samples.min(axis=0), model.samples.max(axis=0)
+    points = random.uniform(low - 0.05, high + 0.05, (60_000, 3))
+    d, which = signed_distance(points, balls)
+    layer = abs(d) < 0.02
+    points, which = points[layer], which[layer]
+    to = points - balls[which, :3]
+    even = balls[which, :3] + to * (balls[which, 3] / np.linalg.norm(to, axis=1))[:, None]
+    even = even[signed_distance(even, balls)[0] > -1e-4]
+    back = to_triangles(even, corners).mean() / diagonal
+    assert report.envelope_error_mean == pytest.approx(back, rel=0.1)
+    # A sample is at least as far as it is outside, or deep; and at most as far as the shell's points.
+    d, _ = signed_distance(model.samples, balls)
+    least, most = abs(d), abs(d).copy()
+    for k in np.flatnonzero(d < 0):
+        most[k] = np.linalg.norm(shell - model.samples[k], axis=1).min()
+    for name, of in (("max", np.max), ("mean", np.mean)):
+        error = getattr(report, f"sample_error_{name}") * diagonal
+        assert 0.97 * of(least) <= error <= 1.03 * of(most), name
+    assert report.error_max == max(report.sample_error_max, report.envelope_error_max)
+
+
+def test_errors_of_one_ball_are_known():
+    model = vbm.build(models.sphere(2000, 2.0))
+    mesh = model.medial_axis().simplify(1)
+    assert mesh.radii[0] == pytest.approx(2, rel=1e-6)
+    assert mesh.report.sample_error_max < 1e-6
+    # The surface is a polyhedron in the ball: its faces are lower by about that.
+    assert 1e-5 < mesh.report.envelope_error_mean < mesh.report.envelope_error_max < 2e-3
+
+
+def test_fitting_makes_errors_smaller():
+    axis = from_file("spot.obj").medial_axis()
+    plain, fitted = axis.simplify(200, iterations=0).report, axis.simplify(200).report
+    assert fitted.sample_error_mean < 0.9 * plain.sample_error_mean
+    assert fitted.sample_error_max < plain.sample_error_max
+
+
+def test_more_balls_are_nearer():
+    axis = from_file("stanford-bunny.obj").medial_axis()
+    means = [axis.simplify(n).report.error_mean for n in (50, 200, 1000)]
+    assert means == sorted(means, reverse=True)
+    report = axis.simplify(1000).report
+    assert report.error_max < 0.0074 and report.error_mean < 0.0012  # Q-MAT's, one-sided
+
+
+# ---- Arguments, ends of the range, promises ---------------------------------------------------------
+
+
+def test_a_count_below_what_the_topology_needs():
+    axis = vbm.build(test_axis.torus_points(60, 20)).medial_axis()
+    with pytest.raises(vbm.ArgumentError, match="keeps it from having fewer than 3 balls"):
+        axis.simplify(2)
+    assert betti(axis.simplify(3)) == [1, 1, 0]
+    assert betti(hollow_sphere().medial_axis().simplify(4)) == [1, 0, 1]
+
+
+def test_a_count_of_all_or_more_keeps_all():
+    axis = vbm.build(models.blob(400)).medial_axis()
+    for count in (axis.report.vertices, 10**9):
+        mesh = axis.simplify(count, iterations=0)
+        assert np.array_equal(mesh.vertices, axis.vertices) and np.array_equal(mesh.radii, axis.radii)
+        assert mesh.report.euler == axis.report.euler
+
+
+@pytest.mark.parametrize("wrong", [{"count": 0}, {"count": -1}, {"count": 2**40},
+                                   {"count": 5, "iterations": 101}])
+def test_simplify_checks_its_arguments(wrong):
+    axis = vbm.build(models.blob(300)).medial_axis()
+    with pytest.raises(vbm.ArgumentError):
+        axis.simplify(**wrong)
+    for wrong_type in ("5", 2.5, True):
+        with pytest.raises(TypeError, match="whole number"):
+            axis.simplify(wrong_type)
+
+
+@pytest.mark.parametrize("wrong", [{"spur": -1}, {"spur": float("nan")}, {"ratio": -1},
+                                   {"spacing": 0.0}, {"spacing": 1e9}])
+def test_curve_skeleton_checks_its_arguments(wrong):
+    axis = vbm.build(models.blob(300)).medial_axis()
+    with pytest.raises(vbm.ArgumentError, match=next(iter(wrong))):
+        axis.curve_skeleton(**wrong)
+
+
+@pytest.mark.parametrize("make", ["simplify", "curve_skeleton"])
+def test_progress_and_cancel_at_every_report(make):
+    axis = vbm.build(models.blob(500)).medial_axis()
+    calls = []
+    whole = getattr(axis, make)(progress=lambda fraction, stage: calls.append(fraction))
+    assert calls == sorted(calls) and calls[-1] == 1
+    for k in range(len(calls)):
+        left = iter(range(k))
+        with pytest.raises(vbm.Cancelled):
+            getattr(axis, make)(progress=lambda fraction, stage: next(left, None) is None)
+    again = getattr(axis, make)()
+    assert again.vertices.tobytes() == whole.vertices.tobytes()
+    assert again.radii.tobytes() == whole.radii.tobytes()
+    assert again.triangles.tobytes() == whole.triangles.tobytes()
+    assert again.report == whole.report
+
+
+def test_a_pruned_axis():
+    axis = vbm.build(test_axis.box_points(0.1, 3)).medial_axis()
+    axis.prune(volume=0.9)
+    for mesh in (axis.simplify(40), axis.curve_skeleton()):
+        assert betti(mesh) == [1, 0, 0]
+
+
+def test_units_and_places_do_not_matter():
+    points = models.blob(800)
+    one = vbm.build(points).medial_axis().simplify(50)
+    far = vbm.build(points * 1024 + 3000).medial_axis().simplify(50)
+    assert np.allclose(far.vertices, one.vertices * 1024 + 3000, atol=1e-3 * 1024)
+    assert far.report.error_mean == pytest.approx(one.report.error_mean, rel=0.02)
+
+
+# ---- Curve skeletons: where they run ---------------------------------------------------------------
+
+
+def test_the_skeleton_of_a_torus_is_its_ring():
+    mesh = vbm.build(test_axis.torus_points()).medial_axis().curve_skeleton()
+    at = np.hypot(*mesh.vertices[:, :2].T)
+    assert abs(at - 1).max() < 0.05 and abs(mesh.vertices[:, 2]).max() < 0.05
+    assert mesh.radii.min() > 0.3
+    assert (np.bincount(mesh.edges.ravel()) == 2).all()
+
+
+def test_limbs_stay_and_spurs_go():
+    model = from_file("spot.obj")
+    mesh = model.medial_axis().curve_skeleton()
+    degree = np.bincount(mesh.edges.ravel())
+    ends = mesh.vertices[degree == 1]
+    # Four legs, two horns, two ears, and what else of head and tail is long.
+    low, high = model.samples.min(axis=0), model.samples.max(axis=0)
+    height = (ends[:, 1] - low[1]) / (high - low)[1]
+    assert (height < 0.2).sum() == 4
+    assert (height > 0.75).sum() >= 4
+    assert len(ends) <= 12 and mesh.report.vertices < 150
+
+
+def test_spacing_and_spurs_do_something():
+    axis = from_file("spot.obj").medial_axis()
+    usual = axis.curve_skeleton().report
+    assert axis.curve_skeleton(spacing=0.1).report.vertices > 2 * usual.vertices
+    assert axis.curve_skeleton(spur=0.5).report.vertices < 0.7 * usual.vertices
+    hollow = hollow_sphere().medial_axis().curve_skeleton()
+    assert 4 <= hollow.report.vertices < 2000

@@ -287,4 +287,43 @@ TEST_F(Memory, Axes) {
   vbm_context_free(maker);
 }
 
+TEST_F(Memory, MedialMeshes) {
+  vbm_context *maker = nullptr;
+  vbm_model *model = nullptr;
+  vbm_axis *axis = nullptr;
+  ASSERT_EQ(vbm_context_create(&maker), VBM_OK);
+  ASSERT_EQ(vbm_build_points(maker, torus.points.data(), torus.size(), nullptr, nullptr, &model),
+            VBM_OK);
+  ASSERT_EQ(vbm_model_medial_axis(maker, model, nullptr, &axis), VBM_OK);
+  const auto mesh_of = [&](auto make) {
+    return [make](vbm_context *context, std::string *shown) {
+      vbm_medial_mesh *mesh = nullptr;
+      const vbm_status status = make(context, &mesh);
+      EXPECT_EQ(status == VBM_OK, mesh != nullptr);
+      if (shown && mesh) {
+        std::size_t count = 0;
+        const double *at = vbm_medial_mesh_vertices(mesh, &count);
+        shown->assign(reinterpret_cast<const char *>(at), 24 * count);
+        const int32_t *edges = vbm_medial_mesh_edges(mesh, &count);
+        shown->append(reinterpret_cast<const char *>(edges), 8 * count);
+      }
+      vbm_medial_mesh_free(mesh);
+      return status;
+    };
+  };
+  vbm_simplify_options options;
+  vbm_simplify_options_init(&options, sizeof options);
+  options.count = 12;
+  options.iterations = 2;
+  fail_everywhere("axis of N balls", mesh_of([&](vbm_context *context, vbm_medial_mesh **out) {
+                    return vbm_axis_simplify(context, axis, &options, out);
+                  }));
+  fail_everywhere("curve skeleton", mesh_of([&](vbm_context *context, vbm_medial_mesh **out) {
+                    return vbm_axis_curve_skeleton(context, axis, nullptr, out);
+                  }));
+  vbm_axis_free(axis);
+  vbm_model_free(model);
+  vbm_context_free(maker);
+}
+
 } // namespace

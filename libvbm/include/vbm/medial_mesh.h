@@ -33,7 +33,7 @@ VBM_API void vbm_simplify_options_init(vbm_simplify_options *options, size_t str
 /* An axis of `count` balls, or of all it has if that is fewer. Its topology is the axis's: every
  * step joins two neighbouring balls under the link condition, which keeps the homotopy type. So no
  * face is there twice, every vertex is used, and a hollow tetrahedron only encloses a cavity of the
- * shape.
+ * shape. Then balls are fitted to the samples: each to those the cells at it are nearest to.
  *   options  NULL for defaults
  * Errors: ARGUMENT (also for a count that the topology does not allow: says how few balls do),
  * MEMORY, CANCELLED.
@@ -49,7 +49,8 @@ typedef struct vbm_curve_skeleton_options {
   double spur;    /* a branch stays if it is longer than the shape is wide at it by this share of the
                      bounding-box diagonal, ...; default 0.03, 0 to 1                                */
   double ratio;   /* ... and by this many times that width; default 0.5, at least 0                  */
-  double spacing; /* neighbouring balls are about this many radii apart; default 0.5, 0.05 to 100    */
+  double spacing; /* neighbouring balls are about this many times half the shape's width apart;
+                     default 0.5, 0.05 to 100                                                        */
 } vbm_curve_skeleton_options;
 
 VBM_API void vbm_curve_skeleton_options_init(vbm_curve_skeleton_options *options,
@@ -58,7 +59,8 @@ VBM_API void vbm_curve_skeleton_options_init(vbm_curve_skeleton_options *options
 /* The axis collapsed to curves. It burns from its border at even speed, so that curves are what fire
  * reaches from two sides at once: well inside, and as long as the shape is where it is longer than
  * wide. Topology is the axis's: it burns by elementary collapses only. Sheets round cavities cannot
- * burn and stay as triangles. Balls are the largest that fit at their places.
+ * burn and stay as triangles. Balls are the largest that fit at their places, inside the
+ * interpolating surface.
  *   options  NULL for defaults
  * Errors: ARGUMENT, MEMORY, CANCELLED.
  * Source: Yan, Sykes, Chambers, Letscher, Ju, "Erosion thickness on medial axes of 3D shapes" (2016).

@@ -16,7 +16,8 @@
 namespace vbm::impl {
 namespace {
 
-/// Share of the limits from which on a branch that passes them is kept.
+/// Share of the limit's ratio from which on a branch that passes both limits is kept. Less would
+/// let curves bend into one of several corners that they end between.
 constexpr double kBeginning = 0.6;
 
 /// Half widths of the shape. Ways along edges are jagged: their length is measured straight over
@@ -97,15 +98,18 @@ private:
   }
   /// When fire that comes from v is at u, below it.
   double arrival_at(int32_t u, int32_t v) const { return start_time_[v] + span(start_[v], u); }
-  bool passes(int32_t v, double share) const {
+  bool passes(int32_t v) const {
     const double thickness = arrival_[v] - time_[v];
-    return thickness > share * limit_.length && thickness > share * limit_.ratio * time_[v];
+    return thickness > limit_.length && thickness > limit_.ratio * time_[v];
+  }
+  bool begins(int32_t v) const {
+    return arrival_[v] - time_[v] > kBeginning * limit_.ratio * time_[v];
   }
 
   void cut() {
     std::vector<uint8_t> keep(cells_.ball.size(), 0);
     for (int32_t v : order_) { // from the ends down
-      if (passes(v, 1)) keep[v] = 1;
+      if (passes(v)) keep[v] = 1;
       if (keep[v]) keep[other_end(down_[v], v)] = 1;
     }
     // Up again from where the limit is passed, along the longest way.
@@ -117,7 +121,7 @@ private:
     }
     for (std::size_t i = order_.size(); i-- > 0;) {
       const int32_t v = order_[i], u = other_end(down_[v], v);
-      if (keep[u] && longest[u] == v && passes(v, kBeginning)) keep[v] = 1;
+      if (keep[u] && longest[u] == v && begins(v)) keep[v] = 1;
     }
     for (int32_t v : order_) {
       if (keep[v]) continue;

@@ -54,10 +54,14 @@ Shape shape_of(const Model &model, Progress &progress) {
   out.sample = boundary.sample;
   std::sort(out.sample.begin(), out.sample.end());
   out.sample.erase(std::unique(out.sample.begin(), out.sample.end()), out.sample.end());
-  std::vector<Triangle> triangles(boundary.triangle.size());
-  for (std::size_t t = 0; t < triangles.size(); ++t)
-    for (int i = 0; i < 3; ++i) triangles[t][i] = boundary.sample[boundary.triangle[t][i]];
-  out.tree = TriangleTree(model.samples.position, triangles, {}, progress);
+  const std::vector<Vec3> &at = model.samples.position;
+  out.triangle.resize(boundary.triangle.size());
+  for (std::size_t t = 0; t < out.triangle.size(); ++t) {
+    Triangle &v = out.triangle[t];
+    for (int i = 0; i < 3; ++i) v[i] = boundary.sample[boundary.triangle[t][i]];
+    out.area += length(cross(at[v[1]] - at[v[0]], at[v[2]] - at[v[0]])) / 2;
+  }
+  out.tree = TriangleTree(at, out.triangle, {}, progress);
   return out;
 }
 

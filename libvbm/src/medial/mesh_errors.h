@@ -11,7 +11,9 @@ class Progress;
 
 /// The shape a model stands for: its interpolating surface.
 struct Shape {
-  std::vector<int32_t> sample; // on the surface, ascending
+  std::vector<int32_t> sample;    // on the surface, ascending
+  std::vector<Triangle> triangle; // samples
+  double area = 0;
   TriangleTree tree;
 };
 

@@ -2,6 +2,7 @@
 #include "core/error.h"
 #include "core/progress.h"
 #include "medial/contract.h"
+#include "medial/fit_balls.h"
 #include "medial/medial_mesh.h"
 #include "medial/mesh_errors.h"
 
@@ -42,6 +43,48 @@ std::vector<BallQuadric> planes_of(const Axis &axis, const BallComplex &complex,
   return out;
 }
 
+/// Triangles of the surface are covered with points where they are longer than this many times the
+/// square root of the mean area of a sample: where the sampling has a hole.
+constexpr double kLongTriangle = 4;
+
+/// Points in one triangle, at most, along a side.
+constexpr int kMostRows = 64;
+
+/// Points the envelope should pass: the samples whose balls are left, and more on large triangles
+/// of the surface, which balls would bulge out of.
+std::vector<Ball> points_to_pass(const Axis &axis, const Shape &shape,
+                                 const std::vector<int32_t> &number, Progress &progress) {
+  const AxisCells &cells = *axis.cells;
+  const Model &model = *axis.model;
+  std::vector<uint8_t> stays(model.samples.position.size(), 0);
+  std::vector<Ball> out;
+  for (int32_t s : shape.sample) {
+    const int32_t pole = model.inner_pole[s];
+    const int32_t v = pole < 0 || std::size_t(pole) >= cells.vertex_of_ball.size()
+                          ? -1
+                          : cells.vertex_of_ball[pole];
+    if (v < 0 || number[v] < 0) continue;
+    stays[s] = 1;
+    out.push_back({model.samples.position[s], model.balls[pole].radius});
+  }
+  const double area = shape.area / double(std::max<std::size_t>(1, shape.sample.size()));
+  const double spacing = std::sqrt(area);
+  if (!(spacing > 0)) return out;
+  for (const auto &t : shape.triangle) {
+    progress.tick(0, 1);
+    if (!stays[t[0]] || !stays[t[1]] || !stays[t[2]]) continue;
+    const Vec3 &a = model.samples.position[t[0]], &b = model.samples.position[t[1]],
+               &c = model.samples.position[t[2]];
+    const double longest = std::max({distance(a, b), distance(b, c), distance(c, a)});
+    if (longest <= kLongTriangle * spacing) continue;
+    const int rows = int(std::min(std::ceil(longest / spacing), double(kMostRows)));
+    for (int i = 1; i < rows; ++i)
+      for (int j = 1; i + j < rows; ++j)
+        out.push_back({a + (b - a) * (double(i) / rows) + (c - a) * (double(j) / rows), 0});
+  }
+  return out;
+}
+
 } // namespace
 
 MedialMesh simplify_axis(const Axis &axis, const vbm_simplify_options &options,
@@ -51,7 +94,7 @@ MedialMesh simplify_axis(const Axis &axis, const vbm_simplify_options &options,
   std::vector<int32_t> number;
   BallComplex complex = complex_of(*axis.cells, axis.state, &number);
   std::vector<BallQuadric> quadric = planes_of(axis, complex, number, progress);
-  progress.stage("contracting", 0.6);
+  progress.stage("contracting", 0.4);
   contract(complex, quadric, std::size_t(options.count), nullptr, progress);
   if (complex.ball.size() > options.count)
     throw Error(VBM_ERROR_ARGUMENT,
@@ -59,8 +102,10 @@ MedialMesh simplify_axis(const Axis &axis, const vbm_simplify_options &options,
                     ", but the topology of this axis keeps it from having fewer than " +
                     std::to_string(complex.ball.size()) + " balls",
                 "option", {}, 0);
-  progress.stage("surface", 0.7);
+  progress.stage("surface", 0.5);
   const Shape shape = shape_of(model, progress);
+  progress.stage("fitting", 0.8);
+  fit_balls(complex, points_to_pass(axis, shape, number, progress), options.iterations, progress);
   progress.stage("errors", 1);
   return medial_mesh(complex, model, shape, progress);
 }
