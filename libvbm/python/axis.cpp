@@ -205,7 +205,15 @@ void bind_arrays(py::class_<MedialAxis> &type) {
                              "Triangles, (t, 3) int32 vertex indices.");
   type.def_property_readonly(
       "triangle_samples", viewed(&Axis::triangle_samples),
-      "For every triangle the two samples of the model it is equidistant from, (t, 2) int32.");
+      "For every triangle the two samples of the model it is equidistant from, (t, 2) int32; with\n"
+      "method 'power_shape' the ones nearest to its singular points.");
+  type.def_property_readonly(
+      "triangle_points",
+      [](const MedialAxis &self) {
+        const auto state = self.states.back();
+        return output(state->axis.triangle_points(), py::cast(state)).attr("reshape")(-1, 2, 3);
+      },
+      "For every triangle the two places it is exactly equidistant from, (t, 2, 3).");
   type.def_property_readonly("triangle_part", viewed(&Axis::triangle_part),
                              "For every triangle its part, (t,) int32.");
   type.def_property_readonly("edges", viewed(&Axis::curves),

@@ -102,10 +102,16 @@ def test_triangles_name_two_samples_next_to_what_they_are_equidistant_from():
     axis = model.medial_axis("power_shape")
     a, b = axis.triangle_samples.T
     assert (a != b).all() and axis.triangle_samples.max() < len(model.samples)
-    center, radius = axis.vertices[axis.triangles[:, 0]], axis.radii[axis.triangles[:, 0]]
-    for s in (a, b):
-        off = np.linalg.norm(model.samples[s] - center, axis=1) - radius
-        assert off.min() > -1e-9 and off.max() < 0.05
+    assert axis.triangle_points.shape == (len(a), 2, 3)
+    for corner in axis.triangles.T:
+        center, radius = axis.vertices[corner], axis.radii[corner]
+        for side, s in enumerate((a, b)):
+            off = np.linalg.norm(axis.triangle_points[:, side] - center, axis=1) - radius
+            assert np.abs(off).max() < 1e-9
+            off = np.linalg.norm(model.samples[s] - center, axis=1) - radius
+            assert off.min() > -1e-9 and off.max() < 0.05
+    axis = model.medial_axis()
+    assert np.array_equal(axis.triangle_points, model.samples[axis.triangle_samples])
 
 
 def singular_points(axis):

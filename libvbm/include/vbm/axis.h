@@ -78,6 +78,9 @@ VBM_API const double *vbm_axis_radii(const vbm_axis *axis, size_t *count);
  * and with the radius gives the object angle, 2 asin(width / (2 radius)). */
 VBM_API const int32_t *vbm_axis_triangles(const vbm_axis *axis, size_t *count);
 VBM_API const int32_t *vbm_axis_triangle_samples(const vbm_axis *axis, size_t *count);
+/* For each triangle the two places it is exactly equidistant from (count x 6): its samples', or with
+ * POWER_SHAPE those of its singular points. */
+VBM_API const double *vbm_axis_triangle_points(const vbm_axis *axis, size_t *count);
 VBM_API const int32_t *vbm_axis_triangle_part(const vbm_axis *axis, size_t *count);
 /* Curves: edges of no triangle, count x 2 vertex indices, and the part of each. */
 VBM_API const int32_t *vbm_axis_curves(const vbm_axis *axis, size_t *count);

@@ -28,6 +28,7 @@ public:
   View<double> radii() const { return view(vbm_axis_radii); }
   View<std::int32_t, 3> triangles() const { return view<3>(vbm_axis_triangles); }
   View<std::int32_t, 2> triangle_samples() const { return view<2>(vbm_axis_triangle_samples); }
+  View<double, 6> triangle_points() const { return view<6>(vbm_axis_triangle_points); }
   View<std::int32_t> triangle_part() const { return view(vbm_axis_triangle_part); }
   View<std::int32_t, 2> curves() const { return view<2>(vbm_axis_curves); }
   View<std::int32_t> curve_part() const { return view(vbm_axis_curve_part); }

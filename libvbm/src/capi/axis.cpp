@@ -103,6 +103,9 @@ const int32_t *vbm_axis_triangles(const vbm_axis *a, size_t *count) {
 const int32_t *vbm_axis_triangle_samples(const vbm_axis *a, size_t *count) {
   return a ? view(a->axis.triangle_samples, 2, count) : none<int32_t>(count);
 }
+const double *vbm_axis_triangle_points(const vbm_axis *a, size_t *count) {
+  return a ? view(a->axis.triangle_points, 6, count) : none<double>(count);
+}
 const int32_t *vbm_axis_triangle_part(const vbm_axis *a, size_t *count) {
   return a ? view(a->axis.triangle_part, 1, count) : none<int32_t>(count);
 }

@@ -23,7 +23,7 @@ struct Axis {
   AxisParts parts;                         // of the state
 
   // What the views show: cells left, vertices renumbered, input units.
-  std::vector<double> vertices, radii, nodes;
+  std::vector<double> vertices, radii, nodes, triangle_points;
   std::vector<int32_t> triangles, triangle_samples, triangle_part, curves, curve_part;
   Incidence part_balls, part_nodes;
   std::vector<uint8_t> kept;

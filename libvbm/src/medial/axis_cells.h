@@ -19,6 +19,7 @@ struct AxisCells {
   std::vector<std::array<int32_t, 3>> triangle;         // vertices
   std::vector<std::array<int32_t, 3>> triangle_edges;   // edge i joins corners i and i + 1
   std::vector<std::array<int32_t, 2>> triangle_samples; // it is equidistant from
+  std::vector<std::array<Vec3, 2>> triangle_points; // it is exactly equidistant from; none: samples
   std::vector<uint8_t> seam; // per edge: parts end there, even where only two triangles are left
   Incidence edge_triangles, vertex_edges;
   std::vector<double> width;           // per triangle: distance of its samples

@@ -63,6 +63,20 @@ void fill_cells(Axis &axis, std::size_t pieces, Progress &progress) {
       int64_t(axis.report.vertices) - int64_t(axis.report.edges) + int64_t(axis.report.triangles);
 }
 
+void fill_points(Axis &axis, Progress &progress) {
+  const AxisCells &cells = *axis.cells;
+  const Samples &samples = axis.model->samples;
+  axis.triangle_points.reserve(6 * axis.report.triangles);
+  for (std::size_t t = 0; t < cells.triangle.size(); ++t) {
+    progress.tick(0, 1);
+    if (!axis.state.triangle[t]) continue;
+    for (std::size_t i = 0; i < 2; ++i)
+      add(axis.triangle_points, cells.triangle_points.empty()
+                                    ? samples.input_position[cells.triangle_samples[t][i]]
+                                    : samples.frame.to_input(cells.triangle_points[t][i]));
+  }
+}
+
 void fill_balls(Axis &axis) {
   const std::vector<int32_t> &vertex = axis.cells->vertex_of_ball;
   axis.kept = kept_balls(*axis.cells, axis.state);
@@ -85,6 +99,7 @@ void fill_views(Axis &axis, const TopologyGraph &graph, std::size_t pieces, Prog
   axis.report.struct_size = sizeof axis.report;
   fill_positions(axis);
   fill_cells(axis, pieces, progress);
+  fill_points(axis, progress);
   fill_balls(axis);
   for (const Vec3 &p : graph.node) add(axis.nodes, axis.model->samples.frame.to_input(p));
   axis.part_nodes = graph.part_nodes;

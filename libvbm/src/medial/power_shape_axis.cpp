@@ -124,9 +124,11 @@ void place_balls(const Model &model, const SingularVoronoi &voronoi, const DualC
       cells.vertex_of_ball[b] = vertex_of_site[model.ball_samples.index[k]];
 }
 
-/// The samples next to the two sites of every triangle; two different ones.
+/// The sites of every triangle, and the samples next to them; two different ones.
 void name_samples(const SingularVoronoi &voronoi, AxisCells &cells) {
+  const std::vector<Vec3> &site = voronoi.solid.samples.position;
   for (auto &[a, b] : cells.triangle_samples) {
+    cells.triangle_points.push_back({site[a], site[b]});
     const int32_t first = voronoi.near_sample[a], second = voronoi.near_sample[b];
     if (first != second) {
       a = first, b = second;
