@@ -159,3 +159,32 @@ def test_progress_and_cancel():
     for wanted in stages:
         with pytest.raises(vbm.Cancelled):
             model.medial_axis("power_shape", progress=lambda fraction, stage: stage == wanted)
+
+
+def lattice_box(n=6):
+    grid = np.stack(np.meshgrid(*[np.arange(n + 1.0)] * 3, indexing="ij"), axis=-1).reshape(-1, 3)
+    return grid[((grid == 0) | (grid == n)).any(axis=1)]
+
+
+NASTY = {
+    "octahedron": lambda: np.concatenate([np.eye(3), -np.eye(3)]),
+    "cospherical": lambda: sphere_points(500, 1.0),
+    "lattice": lattice_box,
+    "cloud": lambda: np.random.default_rng(5).normal(size=(400, 3)),
+    "plate": lambda: lattice_box() * (1, 1, 1e-3),
+    "far away": lambda: box_points(0.2, 3) + 1e6,
+    "two that touch": lambda: np.concatenate([sphere_points(300, 1.0), sphere_points(301, 1.0) + (2, 0, 0)]),
+    "close together": lambda: np.concatenate([p := box_points(0.2, 4), p * (1 + 1e-9)]),
+}
+
+
+@pytest.mark.parametrize("name", NASTY)
+def test_nasty_points_give_the_topology_of_the_other_construction(name):
+    model = vbm.build(NASTY[name]())
+    axis = model.medial_axis("power_shape")
+    assert betti(axis) == betti(model.medial_axis())
+    before = betti(axis)
+    axis.prune(volume=0.05, iterations=2)
+    assert betti(axis) == before
+    assert np.isfinite(axis.vertices).all() and (axis.radii > 0).all()
+    axis.surface()

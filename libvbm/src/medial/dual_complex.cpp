@@ -269,14 +269,26 @@ private:
       const int32_t u = vertex_[facet_cell_[f]], v = vertex_[cell.neighbor[i]];
       if (u == v) continue;
       const int32_t set = any_grouped_ ? facet_set_.find(f) : f;
+      const auto &s = cell.vertex;
+      const std::array<int32_t, 3> samples = {s[kFacet[i][0]], s[kFacet[i][1]], s[kFacet[i][2]]};
       if (edge_of_facet_[set] < 0) {
         edge_of_facet_[set] = int32_t(out_.edge.size());
         out_.edge.push_back({u, v});
-        const auto &s = cell.vertex;
-        out_.edge_samples.push_back({s[kFacet[i][0]], s[kFacet[i][1]], s[kFacet[i][2]]});
+        out_.edge_samples.push_back(samples);
+      } else if (auto &others = out_.edge_samples[edge_of_facet_[set]];
+                 shortest_side(samples) > shortest_side(others)) {
+        // Of a polygon's triangles, the one whose samples are farthest apart stands for it: if it
+        // has corners on three sides of the shape, then one triangle has.
+        others = samples;
       }
       edge_of_facet_[f] = edge_of_facet_[set];
     }
+  }
+
+  double shortest_side(const std::array<int32_t, 3> &s) const {
+    const std::vector<Vec3> &at = model_.samples.position;
+    return std::min(
+        {distance(at[s[0]], at[s[1]]), distance(at[s[1]], at[s[2]]), distance(at[s[2]], at[s[0]])});
   }
 
   void make_faces() {

@@ -12,7 +12,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <tuple>
 #include <utility>
 
 namespace vbm::impl {
@@ -43,7 +42,6 @@ public:
       for (int i = 0; i < 4; ++i)
         if (is_inner(cell, i)) look_at(int32_t(c), i);
     }
-    remove_repeats();
     return std::move(out_);
   }
 
@@ -141,20 +139,6 @@ private:
       }
     point.near_sample = best.second;
     point.next_sample = second.second;
-  }
-
-  /// The two sides of a singular triangle may both be one sample.
-  void remove_repeats() {
-    const auto key = [](const SingularPoint &p) {
-      return std::make_tuple(p.balls, p.sample, p.position.x, p.position.y, p.position.z);
-    };
-    std::sort(out_.points.begin(), out_.points.end(),
-              [&](const SingularPoint &a, const SingularPoint &b) { return key(a) < key(b); });
-    out_.points.erase(std::unique(out_.points.begin(), out_.points.end(),
-                                  [&](const SingularPoint &a, const SingularPoint &b) {
-                                    return key(a) == key(b);
-                                  }),
-                      out_.points.end());
   }
 
   const Model &model_;

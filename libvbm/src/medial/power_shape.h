@@ -29,8 +29,7 @@ struct PowerShape {
   uint64_t singular = 0; // of none
   uint64_t apart =
       0; // sides of triangles whose three balls have no point on the boundary in common
-  std::vector<SingularPoint> points; // one for a regular triangle, two for a singular one; in the
-                                     // order of their balls, each once
+  std::vector<SingularPoint> points; // one for a regular triangle, two for a singular one
 };
 
 PowerShape power_shape(const Model &model, Progress &progress);

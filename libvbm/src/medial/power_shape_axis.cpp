@@ -57,15 +57,18 @@ Topology topology(const DualComplex &complex, const Model &solid, Progress &prog
 }
 
 /// Which singular points are near enough to a sample.
-std::vector<uint8_t> choose(const Model &model, const PowerShape &shape, double reach) {
+std::vector<uint8_t> choose(const Model &model, const PowerShape &shape, double reach,
+                            Progress &progress) {
   std::vector<uint8_t> take(shape.points.size());
   for (std::size_t i = 0; i < take.size(); ++i) {
+    progress.tick(0, 1);
     const SingularPoint &point = shape.points[i];
     const int32_t s = point.near_sample;
     double feature = HUGE_VAL;
     for (int32_t pole : {model.inner_pole[s], model.outer_pole[s]})
       feature = pole < 0 ? 0 : std::min(feature, model.balls[pole].radius);
-    take[i] = distance(model.samples.position[s], point.position) <= reach * feature;
+    // Not "<=": everything is near enough at first, also where no ball tells the feature size.
+    take[i] = !(distance(model.samples.position[s], point.position) > reach * feature);
   }
   return take;
 }
@@ -105,11 +108,12 @@ std::vector<int32_t> numbers(const Collapsed &left) {
 
 /// Balls that have no tetrahedron of their own go with the vertex of one at a sample they touch.
 void place_balls(const Model &model, const SingularVoronoi &voronoi, const DualComplex &complex,
-                 const Collapsed &left, AxisCells &cells) {
+                 const Collapsed &left, AxisCells &cells, Progress &progress) {
   const std::vector<int32_t> number = numbers(left);
   std::vector<int32_t> vertex_of_site(voronoi.near_sample.size(), -1);
   std::vector<double> radius(vertex_of_site.size(), -1);
   for (std::size_t c = 0; c < voronoi.solid.cells.size(); ++c) {
+    progress.tick(0, 1);
     const int32_t v = complex.vertex_of_cell[c];
     if (v < 0) continue;
     for (int32_t s : voronoi.solid.cells.vertex[c])
@@ -151,7 +155,7 @@ AxisCells power_shape_axis(const Model &model, const AxisOptions &options, std::
   const PowerShape shape = power_shape(model, progress);
   for (int attempt = 0; attempt < kAttempts; ++attempt) {
     progress.stage("Voronoi diagram of singular points", 0.7 + 0.03 * attempt);
-    const std::vector<uint8_t> take = choose(model, shape, kReach[attempt]);
+    const std::vector<uint8_t> take = choose(model, shape, kReach[attempt], progress);
     const SingularVoronoi voronoi = singular_voronoi(model, shape, take, progress);
     const DualComplex complex = dual_complex(voronoi.solid, progress, &voronoi.balls);
     if (!(topology(complex, voronoi.solid, progress) == wanted)) continue;
@@ -163,7 +167,7 @@ AxisCells power_shape_axis(const Model &model, const AxisOptions &options, std::
     const Collapsed left = collapse(complex, voronoi.solid, what, progress);
     progress.stage("medial axis", 0.9);
     AxisCells cells = axis_cells(complex, left, voronoi.solid, progress);
-    place_balls(model, voronoi, complex, left, cells);
+    place_balls(model, voronoi, complex, left, cells, progress);
     name_samples(voronoi, cells);
     return cells;
   }

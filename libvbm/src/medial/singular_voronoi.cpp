@@ -36,8 +36,9 @@ public:
       : model_(model), shape_(shape), take_(take), progress_(progress) {}
 
   SingularVoronoi run() {
-    take_samples();
-    take_points();
+    NearTable table(model_.samples.position.size() + shape_.points.size());
+    take_samples(table);
+    take_points(table);
     list_balls();
     triangulate();
     find_balls();
@@ -48,12 +49,14 @@ public:
 private:
   std::vector<Vec3> &sites() { return out_.solid.samples.position; }
 
-  void take_samples() {
+  void take_samples(NearTable &table) {
     Samples &samples = out_.solid.samples;
     samples.frame = model_.samples.frame;
     samples.rule = VBM_LABELS_NORMALS;
-    samples.position = model_.samples.position;
-    for (std::size_t s = 0; s < sites().size(); ++s) {
+    for (std::size_t s = 0; s < model_.samples.position.size(); ++s) {
+      progress_.tick(0, 1);
+      sites().push_back(model_.samples.position[s]);
+      table.add(sites());
       const int32_t inner = model_.inner_pole[s], outer = model_.outer_pole[s];
       samples.normal.push_back(inner < 0 || outer < 0
                                    ? Vec3{} // not on the surface
@@ -64,47 +67,52 @@ private:
   }
 
   /// Points that rounding cannot tell from a site are that site.
-  void take_points() {
-    NearTable table(sites().size() + shape_.points.size());
-    std::vector<Vec3> placed;
-    for (const Vec3 &p : sites()) {
-      progress_.tick(0, 1);
-      placed.push_back(p);
-      table.add(placed);
-    }
+  void take_points(NearTable &table) {
+    site_of_point_.assign(shape_.points.size(), -1);
     for (std::size_t i = 0; i < shape_.points.size(); ++i) {
       progress_.tick(0, 1);
       const SingularPoint &point = shape_.points[i];
       if (point.sample >= 0 || !take_[i]) continue;
       const Vec3 at = on_grid(point.position, kSampleGrid);
-      int32_t site = table.find(placed, at);
-      if (site < 0) {
-        site = int32_t(sites().size());
-        placed.push_back(at);
-        table.add(placed);
-        sites().push_back(at);
-        out_.solid.samples.normal.push_back(point.outward);
-        out_.near_sample.push_back(point.near_sample);
-        out_.next_sample.push_back(point.next_sample);
-      }
-      for (int32_t b : point.balls) touch_.push_back({site, b});
+      int32_t &site = site_of_point_[i];
+      site = table.find(sites(), at);
+      if (site >= 0) continue;
+      site = int32_t(sites().size());
+      sites().push_back(at);
+      table.add(sites());
+      out_.solid.samples.normal.push_back(point.outward);
+      out_.near_sample.push_back(point.near_sample);
+      out_.next_sample.push_back(point.next_sample);
     }
   }
 
-  /// For every site the balls it is on.
+  /// For every site the balls it is on, in ascending order; some may be there more than once.
   void list_balls() {
     const Incidence &lists = model_.ball_samples;
-    for (std::size_t b = 0; b + 1 < lists.offset.size(); ++b)
-      for (uint64_t k = lists.offset[b]; k < lists.offset[b + 1]; ++k)
-        touch_.push_back({lists.index[k], int32_t(b)});
-    std::sort(touch_.begin(), touch_.end());
-    touch_.erase(std::unique(touch_.begin(), touch_.end()), touch_.end());
-    site_balls_.offset.assign(sites().size() + 1, 0);
-    for (const auto &[site, ball] : touch_) ++site_balls_.offset[std::size_t(site) + 1];
-    for (std::size_t s = 0; s < sites().size(); ++s)
-      site_balls_.offset[s + 1] += site_balls_.offset[s];
-    for (const auto &[site, ball] : touch_) site_balls_.index.push_back(ball);
-    touch_ = {};
+    const auto visit = [&](auto &&call) { // call(site, ball)
+      for (std::size_t b = 0; b + 1 < lists.offset.size(); ++b) {
+        progress_.tick(0, 1);
+        for (uint64_t k = lists.offset[b]; k < lists.offset[b + 1]; ++k)
+          call(lists.index[k], int32_t(b));
+      }
+      for (std::size_t i = 0; i < site_of_point_.size(); ++i) {
+        progress_.tick(0, 1);
+        if (site_of_point_[i] >= 0)
+          for (int32_t b : shape_.points[i].balls) call(site_of_point_[i], b);
+      }
+    };
+    std::vector<uint64_t> &offset = site_balls_.offset;
+    offset.assign(sites().size() + 1, 0);
+    visit([&](int32_t site, int32_t) { ++offset[std::size_t(site) + 1]; });
+    for (std::size_t s = 0; s < sites().size(); ++s) offset[s + 1] += offset[s];
+    site_balls_.index.resize(offset.back());
+    std::vector<uint64_t> next(offset.begin(), offset.end() - 1);
+    visit([&](int32_t site, int32_t ball) { site_balls_.index[next[site]++] = ball; });
+    for (std::size_t s = 0; s < sites().size(); ++s) {
+      progress_.tick(0, 1);
+      std::sort(site_balls_.index.begin() + int64_t(offset[s]),
+                site_balls_.index.begin() + int64_t(offset[s + 1]));
+    }
   }
 
   void triangulate() {
@@ -157,26 +165,39 @@ private:
     }
   }
 
-  /// What the model's tetrahedra are, by their samples in ascending order.
-  void list_known() {
-    for (std::size_t c = 0; c < model_.cells.size(); ++c) {
-      progress_.tick(0, 1);
-      if (model_.cells.has_corner(c)) continue;
-      Known known{model_.cells.vertex[c], model_.inside[c]};
-      std::sort(known.first.begin(), known.first.end());
-      known_.push_back(known);
-    }
-    std::sort(known_.begin(), known_.end());
+  using Quad = std::array<int32_t, 4>;
+
+  Quad sorted(const Quad &quad) const {
+    Quad out = quad;
+    std::sort(out.begin(), out.end());
+    return out;
   }
 
-  /// Whether a tetrahedron is one of the model's, and then whether it is inside.
-  bool known_label(std::size_t c, uint8_t &inside) const {
-    Known key{out_.solid.cells.vertex[c], 0};
-    std::sort(key.first.begin(), key.first.end());
-    const auto at = std::lower_bound(known_.begin(), known_.end(), key);
-    if (at == known_.end() || at->first != key.first) return false;
-    inside = at->second;
-    return true;
+  /// The model's tetrahedra by their least sample, and within that by their samples.
+  void list_known() {
+    const Cells &cells = model_.cells;
+    known_ = lists_of(std::size_t(cells.samples), cells.size(), [&](std::size_t c, auto &&call) {
+      progress_.tick(0, 1);
+      if (!cells.has_corner(c)) call(sorted(cells.vertex[c])[0]);
+    });
+    for (std::size_t s = 0; s + 1 < known_.offset.size(); ++s) {
+      progress_.tick(0, 1);
+      std::sort(known_.index.begin() + int64_t(known_.offset[s]),
+                known_.index.begin() + int64_t(known_.offset[s + 1]), [&](int32_t a, int32_t b) {
+                  return sorted(cells.vertex[a]) < sorted(cells.vertex[b]);
+                });
+    }
+  }
+
+  /// The model's tetrahedron with these samples, or -1.
+  int32_t find_known(const Quad &vertices) const {
+    const Quad key = sorted(vertices);
+    if (key[3] >= model_.cells.samples) return -1;
+    const auto end = known_.index.begin() + int64_t(known_.offset[std::size_t(key[0]) + 1]);
+    const auto at = std::lower_bound(
+        known_.index.begin() + int64_t(known_.offset[key[0]]), end, key,
+        [&](int32_t c, const Quad &quad) { return sorted(model_.cells.vertex[c]) < quad; });
+    return at != end && sorted(model_.cells.vertex[*at]) == key ? *at : -1;
   }
 
   void label() {
@@ -191,7 +212,10 @@ private:
       solid.inside[c] = known < 0 ? labels.inside[b] : std::size_t(known) < model_.inner;
       confidence[c] = known < 0 ? std::min(labels.confidence[b], 0.99f) : 1;
       if (solid.cells.has_corner(c)) solid.inside[c] = 0, confidence[c] = 1;
-      if (known_label(c, solid.inside[c])) confidence[c] = 1;
+      if (const int32_t same = find_known(solid.cells.vertex[c]); same >= 0) {
+        solid.inside[c] = model_.inside[same];
+        confidence[c] = 1;
+      }
     }
     repair_labels(solid.cells, confidence, solid.inside, progress_);
     solid.inner = model_.inner;
@@ -200,15 +224,13 @@ private:
         solid.ball_of_cell[c] = -1;
   }
 
-  using Known = std::pair<std::array<int32_t, 4>, uint8_t>;
-
   const Model &model_;
   const PowerShape &shape_;
   const std::vector<uint8_t> &take_;
   Progress &progress_;
-  std::vector<std::array<int32_t, 2>> touch_; // site, ball
+  std::vector<int32_t> site_of_point_; // -1: a sample, or not taken
   Incidence site_balls_;
-  std::vector<Known> known_;
+  Incidence known_; // per sample: tetrahedra of the model
   SingularVoronoi out_;
 };
 
