@@ -19,7 +19,7 @@ import gudhi
 import numpy as np
 import vbm
 
-from picture import draw
+from axis_pictures import draw
 
 HERE = pathlib.Path(__file__).resolve().parent
 sys.path.append(str(HERE.parent / "simplification"))
@@ -159,8 +159,8 @@ the solids'.
 The Voronoi diagram of the samples is the default: it is {ratio} times as fast, as it needs neither the regular
 triangulation nor a second Delaunay triangulation; every face is exactly equidistant from two samples, not from two
 points near them; it needs no second look at the topology; and it comes as near to known axes, as
-[axis.py](../accuracy/axis.py) measures. The power shape is for those who want the axis of the balls themselves: all its
-places come from polar balls, it has fewer parts on tubes, and all is in it that the thesis says of its own.
+[axis.py](../accuracy/axis.py) measures. The power shape is for those who want the axis of the polar balls themselves, as
+the thesis has it: its triangles' exact places are `triangle_points`, and `triangle_samples` the samples nearest to those.
 """
 
 

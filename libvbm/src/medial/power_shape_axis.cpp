@@ -49,11 +49,21 @@ Topology topology(const DualComplex &complex, const Model &solid, Progress &prog
   DisjointSets sets(complex.ball.size());
   out.components = complex.ball.size();
   for (const auto &[u, v] : complex.edge) out.components -= sets.unite(u, v);
-  out.cavities_and_components = find_boundary(solid.cells, solid.inside, progress).components(progress);
+  out.cavities_and_components =
+      find_boundary(solid.cells, solid.inside, progress).components(progress);
   out.euler = int64_t(complex.ball.size()) - int64_t(complex.edge.size()) +
               int64_t(complex.faces()) -
               int64_t(std::count(complex.solid.begin(), complex.solid.end(), 1));
   return out;
+}
+
+/// Whether the complex has no closed sheet in it: all its faces can be collapsed away.
+bool erodes(const DualComplex &complex, const SingularVoronoi &voronoi, Progress &progress) {
+  const std::vector<double> spacing(voronoi.near_sample.size(), HUGE_VAL);
+  AxisOptions nothing; // is kept where samples are that far apart
+  nothing.spacing = &spacing;
+  const Collapsed left = collapse(complex, voronoi.solid, nothing, progress);
+  return std::find(left.face.begin(), left.face.end(), 1) == left.face.end();
 }
 
 /// Which singular points are near enough to a sample.
@@ -159,6 +169,9 @@ AxisCells power_shape_axis(const Model &model, const AxisOptions &options, std::
     const SingularVoronoi voronoi = singular_voronoi(model, shape, take, progress);
     const DualComplex complex = dual_complex(voronoi.solid, progress, &voronoi.balls);
     if (!(topology(complex, voronoi.solid, progress) == wanted)) continue;
+    // Where near duplicates make balls of no account, cells of one ball may enclose others.
+    if (wanted.cavities_and_components == wanted.components && !erodes(complex, voronoi, progress))
+      continue;
     notes += describe(shape, uint64_t(std::count(take.begin(), take.end(), 0)));
     progress.stage("collapsing", 0.85);
     const std::vector<double> spacing = site_spacing(model, voronoi, progress);

@@ -43,5 +43,5 @@ def draw(name, rows, made, view, path):
         panel.set_aspect("equal")
         panel.autoscale()
         panel.axis("off")
-    figure.savefig(path, dpi=100)
+    figure.savefig(path, dpi=80)
     plt.close(figure)
