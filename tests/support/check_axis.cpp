@@ -58,9 +58,11 @@ void check_parts(const vbm_axis *axis, const vbm_axis_report &report, size_t inn
     problems.require(part.level >= 0 && part.lock >= VBM_LOCK_NONE && part.lock <= VBM_LOCK_LAST,
                      "level or lock out of range", p);
     problems.require(part.lock != VBM_LOCK_NONE || part.level == 1, "an inner part may go", p);
-    for (double x : {part.area, part.length, part.volume, part.width, part.angle, part.position[0],
+    for (double x : {part.length, part.volume, part.width, part.angle, part.position[0],
                      part.position[1], part.position[2]})
       problems.require(std::isfinite(x), "a part's number is not finite", p);
+    // In an input of 1e200 units an area is more than a double can hold.
+    problems.require(part.area >= 0, "a part's area", p);
   }
   problems.require(triangles == report.triangles, "parts' triangles are not the whole's");
   problems.require(curves == report.curve_edges, "parts' edges are not the whole's");
