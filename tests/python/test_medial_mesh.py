@@ -257,7 +257,7 @@ def test_curve_skeleton_checks_its_arguments(wrong):
 
 @pytest.mark.parametrize("make", ["simplify", "curve_skeleton"])
 def test_progress_and_cancel_at_every_report(make):
-    axis = vbm.build(models.blob(500)).medial_axis()
+    axis = vbm.build(models.blob(150)).medial_axis()
     calls = []
     whole = getattr(axis, make)(progress=lambda fraction, stage: calls.append(fraction))
     assert calls == sorted(calls) and calls[-1] == 1
