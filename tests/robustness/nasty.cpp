@@ -129,7 +129,9 @@ Expect either(std::vector<Expect> ways) {
 
 namespace {
 
-const unsigned kSeconds = sanitized() ? 240 : 60;
+/// Each input goes through building, surfaces, axis, pruning and the surfaces of that: the largest takes
+/// half a minute, ten times as long under sanitizers, and more beside other tests.
+const unsigned kSeconds = sanitized() ? 900 : 120;
 constexpr std::size_t kMegabytes = 4000;
 
 /// In a child process: no assertions of the test framework, which would be counted there only.

@@ -33,6 +33,7 @@ typedef struct vbm_axis_options {
   double ratio; /* ... or are at least this many times farther apart than neighbouring samples;
                    default 8, at least 1                                                             */
   int32_t method; /* vbm_axis_method; default VORONOI                                                */
+  int32_t reserved; /* 0; room for what may be added, so that no byte is left without a meaning */
 } vbm_axis_options;
 
 VBM_API void vbm_axis_options_init(vbm_axis_options *options, size_t struct_size);
@@ -180,6 +181,7 @@ typedef struct vbm_axis_surface_options {
   size_t struct_size;
   int32_t drop_outer; /* nonzero: outer balls that touch only samples of removed parts leave as well, for
                          sharper corners (7.6); default 0                                            */
+  int32_t reserved; /* 0; room for what may be added, so that no byte is left without a meaning */
 } vbm_axis_surface_options;
 
 VBM_API void vbm_axis_surface_options_init(vbm_axis_surface_options *options, size_t struct_size);

@@ -54,6 +54,7 @@ typedef enum vbm_ball_style {
 typedef struct vbm_ball_surface_options {
   size_t struct_size;
   int32_t style;  /* vbm_ball_style; default SINGULAR_POINTS                                       */
+  int32_t reserved; /* 0; room for what may be added, so that no byte is left without a meaning */
   double bulge;   /* singular points: where the middle of a polygon would be farther from its ball's
                      sphere than this share of the radius, vertices on the sphere are added, and on long
                      arcs; default 0.15, 0.001 to 1                                                  */

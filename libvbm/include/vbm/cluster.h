@@ -29,6 +29,7 @@ typedef struct vbm_cluster_options {
   double sphericity; /* 0.01 to 1, default 0.95: each cluster's is at least this                   */
   uint64_t count;    /* not 0: the best so many balls, and sphericity is not used; default 0       */
   int32_t measure;   /* vbm_cluster_measure; default ENCLOSING                                     */
+  int32_t reserved; /* 0; room for what may be added, so that no byte is left without a meaning */
 } vbm_cluster_options;
 
 VBM_API void vbm_cluster_options_init(vbm_cluster_options *options, size_t struct_size);

@@ -26,6 +26,7 @@ typedef struct vbm_simplify_options {
   uint64_t count;     /* balls; default 1000, at least 1                                             */
   int32_t iterations; /* how often balls are fitted to the samples they stand for; default 8,
                          0 to 100                                                                    */
+  int32_t reserved; /* 0; room for what may be added, so that no byte is left without a meaning */
 } vbm_simplify_options;
 
 VBM_API void vbm_simplify_options_init(vbm_simplify_options *options, size_t struct_size);
