@@ -200,12 +200,16 @@ private:
       for (double &v : out_.volume) v /= whole;
   }
 
+  /// A ball of several vertices is where one of them is left, if there is such.
   void find_balls() {
     out_.vertex_of_ball.assign(model_.inner, -1);
+    std::vector<uint8_t> on_axis(model_.inner, 0);
     for (std::size_t c = 0; c < model_.cells.size(); ++c) {
       const int32_t b = model_.ball_of_cell[c], v = complex_.vertex_of_cell[c];
-      if (b < 0 || std::size_t(b) >= model_.inner || v < 0 || out_.vertex_of_ball[b] >= 0) continue;
-      out_.vertex_of_ball[b] = number_[left_.root[v]];
+      if (b < 0 || std::size_t(b) >= model_.inner || v < 0 || on_axis[b]) continue;
+      on_axis[b] = left_.vertex[v];
+      if (on_axis[b] || out_.vertex_of_ball[b] < 0)
+        out_.vertex_of_ball[b] = number_[left_.root[v]];
     }
   }
 

@@ -7,6 +7,7 @@
 // so that the homotopy type cannot change; those that cannot be, stay.
 #include "medial/collapse.h"
 
+#include "core/prefetch.h"
 #include "core/progress.h"
 
 #include <algorithm>
@@ -36,8 +37,11 @@ class Queue {
 public:
   explicit Queue(std::size_t edges) : next_(edges) { first_.fill(-1); }
 
-  void push(int32_t edge, float weight) {
-    const int level = std::min(kLevels - 1, int(weight * kLevels));
+  static uint8_t level(float weight) {
+    return uint8_t(std::min(kLevels - 1, int(weight * kLevels)));
+  }
+
+  void push(int32_t edge, int level) {
     (first_[level] < 0 ? first_[level] : next_[last_[level]]) = edge;
     last_[level] = edge;
     next_[edge] = -1;
@@ -70,10 +74,9 @@ public:
     out_.face.assign(complex_.faces(), 1);
     out_.edge.assign(complex_.edge.size(), 1);
     out_.vertex.assign(complex_.ball.size(), 1);
-    out_.root.resize(complex_.ball.size());
-    std::iota(out_.root.begin(), out_.root.end(), 0);
-    spacing_ = options_.spacing ? *options_.spacing : sample_spacing(model_, progress_);
-    for (double &d : spacing_) d *= d;
+    out_.parent.resize(complex_.ball.size());
+    std::iota(out_.parent.begin(), out_.parent.end(), 0);
+    take_samples();
     weigh_faces();
     open_solids();
     count_uses();
@@ -101,17 +104,37 @@ private:
     int32_t other(int32_t cell) const { return int32_t(sum - uint32_t(cell)); }
   };
 
+  /// What is asked of a sample, all in one place.
+  struct Sample {
+    Vec3 position;
+    double spacing; // squared
+  };
+
+  void take_samples() {
+    const std::vector<double> spacing =
+        options_.spacing ? *options_.spacing : sample_spacing(model_, progress_);
+    sample_.reserve(spacing.size());
+    for (std::size_t s = 0; s < spacing.size(); ++s)
+      sample_.push_back({model_.samples.position[s], spacing[s] * spacing[s]});
+  }
+
   /// Squared, as all lengths until peel().
   double width(int32_t a, int32_t b) const {
-    const Vec3 between = model_.samples.position[a] - model_.samples.position[b];
+    const Vec3 between = sample_[a].position - sample_[b].position;
     return dot(between, between);
   }
 
   bool apart(double width, double radius) const { return width >= chord_ * radius * radius; }
 
+  /// Whether two samples may be on different sides of the shape, whatever ball they are of.
+  bool may_tell(int32_t a, int32_t b, double width) const {
+    const double spacing = std::max(sample_[a].spacing, sample_[b].spacing);
+    return width >= std::min(kResolved * kResolved, options_.ratio * options_.ratio) * spacing;
+  }
+
   /// Whether two samples of a ball of this radius are on different sides of the shape.
   bool tells(int32_t a, int32_t b, double width, double radius) const {
-    const double spacing = std::max(spacing_[a], spacing_[b]);
+    const double spacing = std::max(sample_[a].spacing, sample_[b].spacing);
     return (apart(width, radius) && width >= kResolved * kResolved * spacing) ||
            width >= options_.ratio * options_.ratio * spacing;
   }
@@ -119,19 +142,27 @@ private:
   void weigh_faces() {
     const double sine = std::sin(options_.angle * (std::acos(-1.0) / 360));
     chord_ = 4 * sine * sine;
-    keep_face_.resize(complex_.faces());
-    weight_.resize(complex_.faces());
+    face_.resize(complex_.faces());
     for (std::size_t f = 0; f < complex_.faces(); ++f) {
       progress_.tick(0, 1);
-      double radius = 0;
-      for (uint64_t k = complex_.face_vertices.offset[f]; k < complex_.face_vertices.offset[f + 1];
-           ++k)
-        radius = std::max(radius, complex_.ball[complex_.face_vertices.index[k]].radius);
+      const double radius = largest_of_face(f);
       const auto [a, b] = complex_.face_samples[f];
       const double across = width(a, b);
-      keep_face_[f] = tells(a, b, across, radius);
-      weight_[f] = radius > 0 ? float(std::sqrt(across) / (2 * radius)) : 0;
+      const uint8_t level = Queue::level(weight(across, radius));
+      face_[f] = tells(a, b, across, radius) ? level | kKeep : level;
     }
+  }
+
+  double largest_of_face(std::size_t f) const {
+    double radius = 0;
+    for (uint64_t k = complex_.face_vertices.offset[f]; k < complex_.face_vertices.offset[f + 1];
+         ++k)
+      radius = std::max(radius, complex_.ball[complex_.face_vertices.index[k]].radius);
+    return radius;
+  }
+
+  static float weight(double width, double radius) {
+    return radius > 0 ? float(std::sqrt(width) / (2 * radius)) : 0;
   }
 
   double largest(int32_t edge) const {
@@ -141,12 +172,15 @@ private:
 
   /// Whether an edge of no face is a curve of the axis.
   bool keep_edge(int32_t edge) const {
-    const double radius = largest(edge);
     const auto &s = complex_.edge_samples[edge];
+    std::array<double, 3> across;
     for (int i = 0; i < 3; ++i) {
-      const int32_t a = s[i], b = s[(i + 1) % 3];
-      if (!tells(a, b, width(a, b), radius)) return false;
+      across[i] = width(s[i], s[(i + 1) % 3]);
+      if (!may_tell(s[i], s[(i + 1) % 3], across[i])) return false; // nearly all
     }
+    const double radius = largest(edge);
+    for (int i = 0; i < 3; ++i)
+      if (!tells(s[i], s[(i + 1) % 3], across[i], radius)) return false;
     return true;
   }
 
@@ -175,7 +209,8 @@ private:
     std::priority_queue<Item, std::vector<Item>, std::greater<Item>> queue;
     const auto offer = [&](int32_t f) {
       const auto [a, b] = complex_.face_samples[f];
-      if (solid[a] != solid[b]) queue.push({weight_[f], f});
+      if (solid[a] != solid[b])
+        queue.push({weight(width(a, b), largest_of_face(std::size_t(f))), f});
     };
     for (std::size_t f = 0; f < complex_.faces(); ++f) offer(int32_t(f));
     while (!queue.empty()) {
@@ -209,11 +244,16 @@ private:
   void offer_edge(int32_t edge) {
     if (faces_at_[edge].count != 1) return;
     const int32_t f = faces_at_[edge].only();
-    if (!keep_face_[f]) queue_.push(edge, weight_[f]);
+    if (!(face_[f] & kKeep)) queue_.push(edge, face_[f]);
   }
 
   void offer_vertex(int32_t v) {
-    if (edges_at_[v].count == 1) leaves_.push_back(v);
+    if (edges_at_[v].count != 1) return;
+    leaves_.push_back(v);
+    const int32_t e = edges_at_[v].only();
+    prefetch(&complex_.edge[e]);
+    prefetch(&complex_.edge_samples[e]);
+    prefetch(&faces_at_[e]);
   }
 
   void offer_all() {
@@ -266,44 +306,56 @@ private:
         ends_.push_back(v);
         continue;
       }
-      out_.vertex[v] = 0;
-      out_.root[v] = other_end(e, v);
-      remove_edge(e);
+      remove_leaf(v, e);
     }
+  }
+
+  void remove_leaf(int32_t v, int32_t e) {
+    out_.vertex[v] = 0;
+    out_.parent[v] = other_end(e, v);
+    out_.gone.push_back(v);
+    remove_edge(e);
   }
 
   /// Faces of small groups at the border are not worth keeping: whether there were any.
   bool give_up_fringe() {
-    std::vector<uint8_t> seen(complex_.faces(), 0);
-    std::vector<int32_t> group, given_up;
-    for (std::size_t first = 0; first < complex_.faces(); ++first) {
+    std::vector<int32_t> group;
+    std::vector<std::vector<int32_t>> given_up;
+    for (std::size_t e = 0; e < complex_.edge.size(); ++e) {
       progress_.tick(0, 1);
-      if (!out_.face[first] || seen[first]) continue;
-      seen[first] = 1;
-      group.assign(1, int32_t(first));
-      bool border = false, kept = false;
-      for (std::size_t i = 0; i < group.size(); ++i) {
-        const int32_t f = group[i];
-        kept |= keep_face_[f] != 0;
-        for (uint64_t k = complex_.face_edges.offset[f]; k < complex_.face_edges.offset[f + 1];
-             ++k) {
-          const int32_t e = complex_.face_edges.index[k];
-          border |= faces_at_[e].count == 1;
-          if (faces_at_[e].count != 2 || out_.seam[e]) continue;
-          const int32_t g = faces_at_[e].other(f);
-          if (seen[g]) continue;
-          seen[g] = 1;
-          group.push_back(g);
-        }
+      if (faces_at_[e].count != 1 || !gather_fringe(faces_at_[e].only(), group)) continue;
+      bool kept = false;
+      for (int32_t f : group) {
+        kept |= (face_[f] & kKeep) != 0;
+        face_[f] &= uint8_t(~kKeep);
       }
-      if (!border || !kept || group.size() > kFringe) continue;
-      for (int32_t f : group) keep_face_[f] = 0;
-      given_up.insert(given_up.end(), group.begin(), group.end());
+      if (!kept) continue;
+      gather_fringe(*std::min_element(group.begin(), group.end()), group);
+      given_up.push_back(group);
     }
-    for (int32_t f : given_up)
-      for (uint64_t k = complex_.face_edges.offset[f]; k < complex_.face_edges.offset[f + 1]; ++k)
-        offer_edge(complex_.face_edges.index[k]);
+    std::sort(given_up.begin(), given_up.end());
+    for (const std::vector<int32_t> &faces : given_up)
+      for (int32_t f : faces)
+        for (uint64_t k = complex_.face_edges.offset[f]; k < complex_.face_edges.offset[f + 1]; ++k)
+          offer_edge(complex_.face_edges.index[k]);
     return !given_up.empty();
+  }
+
+  /// The faces that hang together with this one, if they are few.
+  bool gather_fringe(int32_t first, std::vector<int32_t> &group) const {
+    group.assign(1, first);
+    for (std::size_t i = 0; i < group.size(); ++i) {
+      const int32_t f = group[i];
+      for (uint64_t k = complex_.face_edges.offset[f]; k < complex_.face_edges.offset[f + 1]; ++k) {
+        const int32_t e = complex_.face_edges.index[k];
+        if (faces_at_[e].count != 2 || out_.seam[e]) continue;
+        const int32_t g = faces_at_[e].other(f);
+        if (std::find(group.begin(), group.end(), g) != group.end()) continue;
+        if (group.size() == kFringe) return false;
+        group.push_back(g);
+      }
+    }
+    return true;
   }
 
   /// Curves with a loose end that do not leave the balls they begin in: corners, not tubes.
@@ -329,10 +381,8 @@ private:
       if (chain.empty() || edges_at_[v].count == 1 || length > kShortCurve * radius) continue;
       v = end;
       for (int32_t e : chain) {
-        out_.vertex[v] = 0;
-        out_.root[v] = other_end(e, v);
-        v = out_.root[v];
-        remove_edge(e);
+        remove_leaf(v, e);
+        v = out_.parent[v];
       }
       leaves_.clear();
       if (edges_at_[v].count == 1) {
@@ -354,15 +404,10 @@ private:
   }
 
   void find_roots() {
-    out_.parent = out_.root;
-    for (std::size_t v = 0; v < out_.root.size(); ++v) {
-      int32_t r = int32_t(v);
-      while (out_.root[r] != r) r = out_.root[r];
-      for (int32_t at = int32_t(v); out_.root[at] != r;) {
-        const int32_t next = out_.root[at];
-        out_.root[at] = r;
-        at = next;
-      }
+    out_.root = out_.parent;
+    for (std::size_t i = out_.gone.size(); i-- > 0;) {
+      int32_t &root = out_.root[out_.gone[i]];
+      root = out_.root[root];
     }
   }
 
@@ -370,12 +415,12 @@ private:
   const Model &model_;
   const AxisOptions &options_;
   Progress &progress_;
-  std::vector<double> spacing_; // per sample, squared
-  double chord_ = 0;            // squared chord of the angle in the unit circle
-  std::vector<uint8_t> keep_face_, open_;
-  std::vector<float> weight_;            // per face
-  std::vector<Use> faces_at_, edges_at_; // per edge, per vertex
-  Queue queue_;                          // free edges
+  std::vector<Sample> sample_;
+  double chord_ = 0;                       // squared chord of the angle in the unit circle
+  static constexpr uint8_t kKeep = 1 << 7; // a face that is part of the axis
+  std::vector<uint8_t> face_, open_;       // per face: its level in the queue, and kKeep
+  std::vector<Use> faces_at_, edges_at_;   // per edge, per vertex
+  Queue queue_;                            // free edges
   std::vector<int32_t> leaves_;
   std::vector<int32_t> ends_; // of curves that are kept
   Collapsed out_;

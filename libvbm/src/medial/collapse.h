@@ -20,6 +20,7 @@ struct Collapsed {
   std::vector<uint8_t> seam;   // per edge: its three samples are on three sides of the shape
   std::vector<int32_t> root;   // per vertex: the vertex it was drawn into, itself if that is left
   std::vector<int32_t> parent; // per vertex: the next one on its way there
+  std::vector<int32_t> gone;   // vertices in the order they went, each before its parent
 };
 
 /// How far apart samples are at each: the longest side of the surface's triangles there.

@@ -8,6 +8,7 @@
 
 #include "balls/circumcenter.h"
 #include "core/disjoint_sets.h"
+#include "core/prefetch.h"
 #include "core/progress.h"
 #include "medial/pinches.h"
 
@@ -54,9 +55,9 @@ private:
     uint8_t seen;                                   // a bit per edge
   };
 
-  static int place(const Inner &cell, int32_t vertex) {
-    const auto &v = cell.vertex;
-    return v[0] == vertex ? 0 : v[1] == vertex ? 1 : v[2] == vertex ? 2 : 3;
+  /// Where a value is in a row that has it once; without branches, which nothing could foretell.
+  static int place(const std::array<int32_t, 4> &row, int32_t value) {
+    return int(row[1] == value) + 2 * int(row[2] == value) + 3 * int(row[3] == value);
   }
 
   void gather_cells() {
@@ -111,8 +112,8 @@ private:
       for (int i = 0; i < 4; ++i) {
         const int32_t n = inner_[c].neighbor[i];
         if (n < c) continue;
-        int k = 0; // two tetrahedra share one facet, as their far vertices differ
-        while (inner_[n].neighbor[k] != c) ++k;
+        // Two tetrahedra share one facet, as their far vertices differ.
+        const int k = place(inner_[n].neighbor, c);
         inner_[c].facet[i] = inner_[n].facet[k] = int32_t(facet_cell_.size());
         facet_cell_.push_back(c);
         facet_place_.push_back(int8_t(i));
@@ -133,8 +134,11 @@ private:
           if (v < cells_.samples) out_.solid[v] = 0;
     ring_cell_.reserve(4 * inner_.size());
     ring_facet_.reserve(4 * inner_.size());
+    constexpr int32_t kAhead = 8;
     for (int32_t c = 0; c < int32_t(inner_.size()); ++c) {
       progress_.tick(0, 1);
+      if (c + kAhead < int32_t(inner_.size()))
+        for (int32_t n : inner_[c + kAhead].neighbor) prefetch(&inner_[std::max(n, 0)]);
       const auto &near = inner_[c].neighbor;
       for (int i = 0, bit = 0; i < 3; ++i)
         for (int j = i + 1; j < 4; ++j, ++bit) {
@@ -158,7 +162,7 @@ private:
     const std::size_t begin = ring_cell_.size();
     do {
       Inner &cell = inner_[at];
-      const int pa = place(cell, a), pb = place(cell, b);
+      const int pa = place(cell.vertex, a), pb = place(cell.vertex, b);
       cell.seen = uint8_t(cell.seen | 1 << edge_bit(pa, pb));
       ring_cell_.push_back(at);
       ring_facet_.push_back(cell.facet[across]);
@@ -168,7 +172,7 @@ private:
         ring_facet_.resize(begin);
         return;
       }
-      across = place(inner_[next], cell.vertex[6 - across - pa - pb]);
+      across = place(inner_[next].vertex, cell.vertex[6 - across - pa - pb]);
       at = next;
     } while (at != first);
     ring_samples_.push_back({std::min(a, b), std::max(a, b)});

@@ -12,16 +12,16 @@
 namespace vbm::impl {
 namespace {
 
-/// Every element that is below another (below[i] >= 0) after all that are above it.
-std::vector<int32_t> from_the_tips(const std::vector<int32_t> &below) {
-  std::vector<int32_t> above(below.size(), 0), order;
-  order.reserve(below.size());
-  for (int32_t b : below)
-    if (b >= 0) ++above[b];
-  for (std::size_t i = 0; i < below.size(); ++i)
-    if (above[i] == 0) order.push_back(int32_t(i));
+/// Every ball that is below others after all that are above it.
+std::vector<int32_t> from_the_tips(const std::vector<Twig> &twigs) {
+  std::vector<int32_t> above(twigs.size(), 0), order;
+  order.reserve(twigs.size());
+  for (const Twig &twig : twigs)
+    if (twig.below >= 0) ++above[twig.below];
+  for (std::size_t b = 0; b < twigs.size(); ++b)
+    if (above[b] == 0) order.push_back(int32_t(b));
   for (std::size_t k = 0; k < order.size(); ++k)
-    if (const int32_t b = below[order[k]]; b >= 0 && --above[b] == 0) order.push_back(b);
+    if (const int32_t b = twigs[order[k]].below; b >= 0 && --above[b] == 0) order.push_back(b);
   return order;
 }
 
@@ -29,8 +29,11 @@ std::vector<int32_t> from_the_tips(const std::vector<int32_t> &below) {
 double widest(const std::vector<Vec3> &at, const std::array<int32_t, 4> &k) {
   double most = 0;
   for (int i = 0; i < 4; ++i)
-    for (int j = i + 1; j < 4; ++j) most = std::max(most, distance(at[k[i]], at[k[j]]));
-  return most;
+    for (int j = i + 1; j < 4; ++j) {
+      const Vec3 between = at[k[i]] - at[k[j]];
+      most = std::max(most, dot(between, between));
+    }
+  return std::sqrt(most);
 }
 
 void add(Twig &to, const Twig &twig) {
@@ -40,15 +43,47 @@ void add(Twig &to, const Twig &twig) {
   to.angle = std::max(to.angle, twig.angle);
 }
 
+/// The ball that each collapsed vertex goes with: its own, or else the next one on its way to the
+/// axis; -1 if there is none. Sets `below` of the twigs. A ball of several vertices hangs where the
+/// first of them does, seen from the axis, and what hangs on any of them hangs on it: as that
+/// vertex comes after the first one of the ball below, there are no loops. If one is on the axis,
+/// the ball is, and has no twig.
+std::vector<int32_t> find_owners(const DualComplex &complex, const Collapsed &left,
+                                 const Model &model, std::vector<Twig> &twigs) {
+  std::vector<int32_t> owner(complex.ball.size(), -1);
+  std::vector<uint8_t> placed(twigs.size(), 0); // it has a vertex that was looked at
+  const auto each_ball = [&](const auto &visit) {
+    for (std::size_t c = 0; c < model.cells.size(); ++c) {
+      const int32_t v = complex.vertex_of_cell[c], b = model.ball_of_cell[c];
+      if (v >= 0 && b >= 0 && std::size_t(b) < twigs.size()) visit(v, b);
+    }
+  };
+  each_ball([&](int32_t v, int32_t b) {
+    if (left.vertex[v]) placed[b] = 1;
+  });
+  each_ball([&](int32_t v, int32_t b) {
+    if (!placed[b]) owner[v] = b;
+  });
+  for (std::size_t i = left.gone.size(); i-- > 0;) {
+    const int32_t v = left.gone[i], below = owner[left.parent[v]];
+    if (owner[v] < 0) {
+      owner[v] = below;
+    } else if (!placed[owner[v]]) {
+      placed[owner[v]] = 1;
+      twigs[owner[v]].below = below;
+    }
+  }
+  return owner;
+}
+
 } // namespace
 
 std::vector<Twig> find_twigs(const DualComplex &complex, const Collapsed &left, const Model &model,
                              Progress &progress) {
   const Cells &cells = model.cells;
   const std::vector<Vec3> &at = model.samples.position;
-  const std::size_t count = complex.ball.size();
-  std::vector<Twig> of_vertex(count);
-  std::vector<int32_t> ball_of_vertex(count, -1);
+  std::vector<Twig> out(model.inner);
+  const std::vector<int32_t> owner = find_owners(complex, left, model, out);
   double whole = 0;
   for (std::size_t c = 0; c < cells.size(); ++c) {
     progress.tick(0, 1);
@@ -58,39 +93,22 @@ std::vector<Twig> find_twigs(const DualComplex &complex, const Collapsed &left, 
     const double volume =
         std::fabs(dot(cross(at[k[1]] - at[k[0]], at[k[2]] - at[k[0]]), at[k[3]] - at[k[0]]));
     whole += volume;
-    if (left.vertex[v]) continue;
-    const double width = widest(at, k), sine = std::min(1.0, width / (2 * complex.ball[v].radius));
-    add(of_vertex[v],
-        {-1, 1, volume, float(width), float(std::asin(sine) * (360 / std::acos(-1.0)))});
-    const int32_t b = model.ball_of_cell[c];
-    if (b >= 0 && std::size_t(b) < model.inner) ball_of_vertex[v] = b;
+    if (owner[v] < 0) continue;
+    const double width = widest(at, k);
+    add(out[owner[v]], {-1, 1, volume, float(width), float(width / (2 * complex.ball[v].radius))});
   }
-
-  std::vector<int32_t> below(count, -1);
-  for (std::size_t v = 0; v < count; ++v)
-    if (!left.vertex[v] && !left.vertex[left.parent[v]]) below[v] = left.parent[v];
-  const std::vector<int32_t> order = from_the_tips(below);
-  for (int32_t v : order)
-    if (below[v] >= 0) add(of_vertex[below[v]], of_vertex[v]);
-  std::vector<Twig> out(model.inner);
-  std::vector<int32_t> ball_below(count, -1); // the first ball on the way to the axis
-  for (std::size_t k = order.size(); k-- > 0;) {
-    const int32_t v = order[k], w = below[v];
-    if (w >= 0) ball_below[v] = ball_of_vertex[w] >= 0 ? ball_of_vertex[w] : ball_below[w];
-    const int32_t b = ball_of_vertex[v];
-    if (b < 0) continue;
-    out[b] = of_vertex[v];
-    out[b].below = ball_below[v];
-    if (whole > 0) out[b].volume /= whole;
+  for (int32_t b : from_the_tips(out))
+    if (out[b].below >= 0) add(out[out[b].below], out[b]);
+  for (Twig &twig : out) {
+    if (whole > 0) twig.volume /= whole;
+    twig.angle = float(std::asin(std::min(1.0, double(twig.angle))) * (360 / std::acos(-1.0)));
   }
   return out;
 }
 
 std::vector<double> sum_over_twigs(const std::vector<Twig> &twigs, std::vector<double> per_ball) {
-  std::vector<int32_t> below(twigs.size());
-  for (std::size_t b = 0; b < twigs.size(); ++b) below[b] = twigs[b].below;
-  for (int32_t b : from_the_tips(below))
-    if (below[b] >= 0) per_ball[below[b]] += per_ball[b];
+  for (int32_t b : from_the_tips(twigs))
+    if (twigs[b].below >= 0) per_ball[twigs[b].below] += per_ball[b];
   return per_ball;
 }
 
