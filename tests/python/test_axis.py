@@ -101,6 +101,43 @@ def test_square_box_has_twelve_outer_sheets_and_nothing_inside(size):
     assert sum(part.area for part in inner) < 0.01 * sum(part.area for part in axis.parts)
 
 
+@pytest.mark.parametrize("angle", [0, 10, 30])
+def test_a_smaller_angle_makes_the_axis_no_smaller(angle):
+    model = vbm.build(box_points(0.1, 8))
+    usual, more = model.medial_axis(), model.medial_axis(angle=angle)
+    assert betti(more) == [1, 0, 0]
+    assert len(more.triangles) >= len(usual.triangles)
+    assert sorted(part.level for part in more.parts) == [1] * 12 + [2]
+
+
+def lattice_points(seed, side=10):
+    """A solid lattice with gaps: many balls on one sphere, of several Voronoi vertices each."""
+    points = np.stack(np.meshgrid(*[np.arange(side)] * 3, indexing="ij"), axis=-1).reshape(-1, 3)
+    return points[np.random.default_rng(seed).random(len(points)) < 0.8].astype(float)
+
+
+@pytest.mark.parametrize("measure", ["triangles", "volume", "balls", "width", "angle"])
+@pytest.mark.parametrize("points", [torus_points(), lattice_points(0)], ids=["torus", "lattice"])
+def test_a_threshold_of_zero_prunes_nothing(points, measure):
+    axis = vbm.build(points).medial_axis()
+    whole, kept = axis.report, axis.kept_balls.copy()
+    axis.prune(**{measure: 0})
+    assert axis.report == whole and np.array_equal(axis.kept_balls, kept)
+    assert len(axis.stayed) == 0
+
+
+@pytest.mark.parametrize("balls", ["polar", "voronoi"])
+@pytest.mark.parametrize("seed", range(3))
+def test_a_ball_on_the_axis_does_not_go_with_what_hangs_on_it(seed, balls):
+    model = vbm.build(lattice_points(seed), balls=balls)
+    inner = {tuple(c): b for b, c in enumerate(model.centers[: model.report.inner_balls])}
+    axis = model.medial_axis()
+    for share in (1e-3, 1):
+        axis.prune(balls=share)
+        on_axis = [inner[tuple(v)] for v in axis.vertices if tuple(v) in inner]
+        assert len(on_axis) > 100 and axis.kept_balls[on_axis].all()
+
+
 def test_triangles_are_equidistant_from_their_samples():
     model = vbm.build(box_points(0.1, 4))
     axis = model.medial_axis()

@@ -148,7 +148,7 @@ typedef struct vbm_prune_options {
   size_t struct_size;
   int32_t measure;    /* vbm_measure; default TRIANGLES                                       */
   int32_t iterations; /* how often parts are found anew and pruned; default 1, 1 to 1000      */
-  double threshold;   /* parts of level 1 up to this go, least significant first; default 5   */
+  double threshold;   /* parts of level 1 up to this go, least significant first; 0: none; default 5 */
 } vbm_prune_options;
 
 VBM_API void vbm_prune_options_init(vbm_prune_options *options, size_t struct_size);

@@ -101,8 +101,9 @@ constexpr vbm_param kParams[] = {
      VBM_PARAM_ENUM, 5, kMeasureNames, kMeasureLabels, kMeasureHelps, VBM_MEASURE_TRIANGLES,
      VBM_MEASURE_TRIANGLES, VBM_MEASURE_BALLS},
     {sizeof(vbm_param), "prune", "threshold", "Threshold",
-     "Parts at the border that are not more significant than this go, where the topology stays", "",
-     VBM_PARAM_FLOAT, 0, nullptr, nullptr, nullptr, 5, 0, kNoLimit},
+     "Parts at the border that are not more significant than this go, where the topology stays; "
+     "none for 0",
+     "", VBM_PARAM_FLOAT, 0, nullptr, nullptr, nullptr, 5, 0, kNoLimit},
     {sizeof(vbm_param), "prune", "iterations", "Iterations",
      "How often parts are found anew and removed", "", VBM_PARAM_INT, 0, nullptr, nullptr, nullptr,
      1, 1, 1000},

@@ -40,6 +40,7 @@ std::vector<double> significance(const Axis &axis, int32_t measure,
 /// Twigs that are not more significant than the threshold go; no cell of the axis goes with them,
 /// so that its topology cannot change.
 void prune_twigs(Axis &axis, const vbm_prune_options &options, Progress &progress) {
+  if (!(options.threshold > 0)) return;
   const std::vector<Twig> &twigs = axis.cells->twigs;
   const double diagonal = axis.model->report.diagonal;
   std::vector<double> ball_share;
@@ -84,9 +85,11 @@ void finish(Axis &axis, Progress &progress) {
   axis.part_ball_shares = std::make_shared<PartShares>();
 }
 
-/// Numbers of the parts with a significance up to the threshold, least significant first.
+/// Numbers of the parts with a significance up to the threshold, least significant first; none for
+/// 0, though curves have no triangles, and parts without a vertex of their own no volume.
 std::vector<int32_t> up_to(const std::vector<double> &value, double threshold) {
   std::vector<int32_t> order;
+  if (!(threshold > 0)) return order;
   for (std::size_t p = 0; p < value.size(); ++p)
     if (value[p] <= threshold) order.push_back(int32_t(p));
   std::sort(order.begin(), order.end(), [&](int32_t a, int32_t b) {

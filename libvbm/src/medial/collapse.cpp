@@ -27,6 +27,10 @@ constexpr double kShortCurve = 2;
 /// as likely noise: at the tips of corners sheets are cut off before they get tangled.
 constexpr double kResolved = 2;
 
+/// Degrees. At a seam samples are at least so far apart, whatever angle makes a face part of the
+/// axis: with less, samples next to each other would be on different sides of the shape.
+constexpr double kSeamAngle = 45;
+
 /// Faces of a sheet at the border that are too few to be one.
 constexpr std::size_t kFringe = 8;
 
@@ -124,7 +128,15 @@ private:
     return dot(between, between);
   }
 
-  bool apart(double width, double radius) const { return width >= chord_ * radius * radius; }
+  static bool apart(double width, double radius, double chord) {
+    return width >= chord * radius * radius;
+  }
+
+  /// Squared chord of an angle in degrees in the unit circle.
+  static double chord_of(double angle) {
+    const double sine = std::sin(angle * (std::acos(-1.0) / 360));
+    return 4 * sine * sine;
+  }
 
   /// Whether two samples may be on different sides of the shape, whatever ball they are of.
   bool may_tell(int32_t a, int32_t b, double width) const {
@@ -135,13 +147,12 @@ private:
   /// Whether two samples of a ball of this radius are on different sides of the shape.
   bool tells(int32_t a, int32_t b, double width, double radius) const {
     const double spacing = std::max(sample_[a].spacing, sample_[b].spacing);
-    return (apart(width, radius) && width >= kResolved * kResolved * spacing) ||
+    return (apart(width, radius, chord_) && width >= kResolved * kResolved * spacing) ||
            width >= options_.ratio * options_.ratio * spacing;
   }
 
   void weigh_faces() {
-    const double sine = std::sin(options_.angle * (std::acos(-1.0) / 360));
-    chord_ = 4 * sine * sine;
+    chord_ = chord_of(options_.angle);
     face_.resize(complex_.faces());
     for (std::size_t f = 0; f < complex_.faces(); ++f) {
       progress_.tick(0, 1);
@@ -186,13 +197,15 @@ private:
 
   void find_seams() {
     out_.seam.assign(complex_.edge.size(), 0);
+    const double chord = chord_of(std::max(options_.angle, kSeamAngle));
     for (std::size_t e = 0; e < complex_.edge.size(); ++e) {
       progress_.tick(0, 1);
       if (!out_.edge[e] || faces_at_[e].count == 0) continue;
       const double radius = largest(int32_t(e));
       const auto &s = complex_.edge_samples[e];
-      out_.seam[e] = apart(width(s[0], s[1]), radius) && apart(width(s[1], s[2]), radius) &&
-                     apart(width(s[2], s[0]), radius);
+      out_.seam[e] = apart(width(s[0], s[1]), radius, chord) &&
+                     apart(width(s[1], s[2]), radius, chord) &&
+                     apart(width(s[2], s[0]), radius, chord);
     }
   }
 
@@ -416,7 +429,7 @@ private:
   const AxisOptions &options_;
   Progress &progress_;
   std::vector<Sample> sample_;
-  double chord_ = 0;                       // squared chord of the angle in the unit circle
+  double chord_ = 0;                       // of the options' angle
   static constexpr uint8_t kKeep = 1 << 7; // a face that is part of the axis
   std::vector<uint8_t> face_, open_;       // per face: its level in the queue, and kKeep
   std::vector<Use> faces_at_, edges_at_;   // per edge, per vertex
