@@ -34,13 +34,14 @@ const char *const kSurfaceDoc =
     "  keep            with a Model: (inner_count,) booleans, which of its inner balls are used\n";
 
 const char *const kSurfaceErrors =
-    "\nIts topology is that of the union's boundary, whatever the balls are: isolated ones, "
-    "chains,\n"
-    "rings and sheets are fine. With a Model, duplicate points are told by the samples that balls\n"
+    "\nThe topology of singular_points is that of the union's boundary, whatever the balls are:\n"
+    "isolated ones, chains, rings and sheets are fine. That of skin is the union's of balls with\n"
+    "radii divided by sqrt(shrink); that of power_crust is the union's, or the notes say that it\n"
+    "is not. With a Model, duplicate points are told by the samples that balls\n"
     "touch. Surface.polygon_ball counts the balls given, or the model's.\n"
     "Returns a Surface. Raises InputError (a ball that is not finite or has a negative radius),\n"
     "NoInteriorError (no ball with a radius), LimitError, OutOfMemory, Cancelled, ArgumentError,\n"
-    "TypeError. Source: thesis 8.3.";
+    "TypeError. Source: thesis 8.3, 8.5; Edelsbrunner 1999.";
 
 template <class Get> auto viewed(Get get) {
   return [get](const py::object &self) {
@@ -66,6 +67,7 @@ const Field kFields[] = {
     {"style", &vbm_ball_surface_options::style},
     {"bulge", &vbm_ball_surface_options::bulge},
     {"bridge", &vbm_ball_surface_options::bridge},
+    {"shrink", &vbm_ball_surface_options::shrink},
 };
 
 BallSurfaceOptions surface_options(const Arguments &given) {

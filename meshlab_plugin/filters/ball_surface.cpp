@@ -54,12 +54,15 @@ const Filter ball_surface_filter = {
     "Makes a <b>closed surface</b> of a layer's balls, wherever they come from: a ball model, a "
     "file, a molecule, spheres placed by hand. Every vertex is a ball, by its <b>radius</b>. The "
     "surface has about as many faces as there are balls, and the components, tunnels and cavities "
-    "of their union. Faces have the colour of their ball, where balls have one.<br><br>"
+    "of their union. Other styles are the smooth <b>skin</b> round the balls and the <b>power "
+    "crust</b> of the points where three balls meet. Faces have the colour of their ball, where "
+    "balls have one.<br><br>"
     "See:<br>"
     "<i>R. Tam</i>, <b>\"Voronoi Ball Models for Computational Shape Applications\"</b>, PhD "
     "thesis, section 8.3<br>"
     "<i>H. Edelsbrunner</i>, <b>\"The union of balls and its dual shape\"</b>, Discrete and "
-    "Computational Geometry 13, 1995",
+    "Computational Geometry 13, 1995; <b>\"Deformable smooth surface design\"</b>, Discrete and "
+    "Computational Geometry 21, 1999",
     kRemeshing | kPointSet,
     kNothing,
     params,

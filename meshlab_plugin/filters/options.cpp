@@ -67,6 +67,8 @@ bool set_option(vbm_ball_surface_options &options, const std::string &name, doub
     options.bulge = value;
   else if (name == "bridge")
     options.bridge = value;
+  else if (name == "shrink")
+    options.shrink = value;
   else
     return false;
   return true;

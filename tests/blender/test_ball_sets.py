@@ -112,6 +112,19 @@ def test_every_style(style):
     assert topology(active().data) == (1, 0)
 
 
+def test_skin_bridges_by_its_shrink_factor():
+    select(empty((0, 0, 0), 1.0), empty((2.2, 0, 0), 1.0))
+    bpy.ops.vbm.ball_surface(style="SKIN", shrink=0.9, bulge=0.05)
+    assert topology(active().data) == (2, 0)
+    at = positions(active().data) + np.array(active().matrix_world.translation)
+    from_ball = np.minimum(np.linalg.norm(at, axis=1), np.linalg.norm(at - (2.2, 0, 0), axis=1))
+    np.testing.assert_allclose(from_ball, 1, rtol=1e-3)  # a little more between them
+    select(empty((0, 0, 0), 1.0), empty((2.2, 0, 0), 1.0))
+    bpy.ops.vbm.ball_surface(style="SKIN", shrink=0.7)
+    assert topology(active().data) == (1, 0)
+    assert any("shrink factor" in note for note in session.last.notes)
+
+
 def test_cluster_is_the_librarys():
     balls = ball_object()
     centers, radii = ball_source.of_ball_object(balls)

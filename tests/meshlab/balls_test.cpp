@@ -61,6 +61,24 @@ TEST(BallSurface, HasTheTopologyOfTheUnion) {
   expect_closed(*document.mm(), 0, 3);
 }
 
+TEST(BallSurface, HasStyles) {
+  MeshDocument document;
+  EXPECT_EQ(host::items(host::kBallSurface, "style", document),
+            (std::vector<std::string>{"Singular Points", "Skin", "Power Crust"}));
+  for (const int style : {1, 2}) {
+    balls(document, ring(12));
+    const auto result =
+        host::apply(host::kBallSurface, document, {{"style", style}, {"shrink", 0.95}});
+    ASSERT_TRUE(result.ok) << result.error;
+    expect_closed(*document.mm(), 1);
+    EXPECT_EQ(result.logged("square root of the shrink factor"), style == 1);
+  }
+  balls(document, ring(12));
+  const auto result = host::apply(host::kBallSurface, document, {{"style", 1}, {"shrink", 1}});
+  EXPECT_FALSE(result.ok);
+  EXPECT_NE(result.error.find("shrink"), std::string::npos) << result.error;
+}
+
 TEST(BallSurface, OfABallModelHasAboutAFaceABall) {
   MeshDocument document;
   shapes::torus(document, 3, 1);

@@ -65,7 +65,7 @@ TEST(Plugin, ShowsEveryOptionOfTheLibrary) {
     expect_all("prune", filter, vbm::PruneOptions(), 3);
   for (const char *filter : {host::kSimplify, host::kRemoveParts})
     expect_all("axis_surface", filter, vbm::AxisSurfaceOptions(), 1);
-  expect_all("surface_from_balls", host::kBallSurface, vbm::BallSurfaceOptions(), 3);
+  expect_all("surface_from_balls", host::kBallSurface, vbm::BallSurfaceOptions(), 4);
   expect_all("cluster", host::kCluster, vbm::ClusterOptions(), 3);
 }
 

@@ -48,18 +48,23 @@ VBM_API const double *vbm_measures_ball_areas(const vbm_measures *measures, size
 /* ---- Surfaces from balls (8.3) ------------------------------------------------------------------ */
 
 typedef enum vbm_ball_style {
-  VBM_BALL_STYLE_SINGULAR_POINTS = 0 /* polygons through the points where three balls meet (8.3)     */
+  VBM_BALL_STYLE_SINGULAR_POINTS = 0, /* polygons through the points where three balls meet (8.3)    */
+  VBM_BALL_STYLE_SKIN = 1,            /* smooth, round the balls (Edelsbrunner 1999)                  */
+  VBM_BALL_STYLE_POWER_CRUST = 2      /* power crust of those points (8.5)                            */
 } vbm_ball_style;
 
 typedef struct vbm_ball_surface_options {
   size_t struct_size;
   int32_t style;  /* vbm_ball_style; default SINGULAR_POINTS                                       */
   int32_t reserved; /* 0; room for what may be added, so that no byte is left without a meaning */
-  double bulge;   /* singular points: where the middle of a polygon would be farther from its ball's
-                     sphere than this share of the radius, vertices on the sphere are added, and on long
-                     arcs; default 0.15, 0.001 to 1                                                  */
-  double bridge;  /* singular points: balls whose radii would meet if they were larger by this share
+  double bulge;   /* where the middle of a polygon would be farther from its ball's sphere than this
+                     share of the radius, vertices on the sphere are added, and on long arcs; skin: where
+                     the middle of an edge would be as far from the skin, and shorter edges are
+                     contracted; default 0.15, 0.001 to 1                                            */
+  double bridge;  /* not of the skin: balls whose radii would meet if they were larger by this share
                      are joined (8.3.5); default 0, 0 to 1                                           */
+  double shrink;  /* skin: the shrink factor. Near 1 it is the balls with narrow creases, smaller ones
+                     round creases more and bridge wider gaps; default 0.9, 0.05 to 0.99             */
 } vbm_ball_surface_options;
 
 VBM_API void vbm_ball_surface_options_init(vbm_ball_surface_options *options, size_t struct_size);
@@ -71,9 +76,18 @@ VBM_API void vbm_ball_surface_options_init(vbm_ball_surface_options *options, si
  * meet. Isolated balls, chains, rings and sheets are fine. Where the surface touches itself, vertices
  * stand twice (split_vertices). Four balls or more through one point give one vertex.
  *
+ * SKIN: triangles, smooth where balls meet; the balls are inside and touch it. It has the topology of the
+ * union of larger balls, radii divided by sqrt(shrink), which may join balls that are apart and close
+ * holes between them; so the notes say. Of balls less than about 1e-6 of the whole it may be wrong.
+ *
+ * POWER_CRUST: the faces between the balls and outer ones, which are the outer polar balls of the
+ * singular-point surface's vertices. Its topology is checked against that surface's; where it is another,
+ * it is made again with vertices closer together, and if that does not help, the notes say so.
+ *
  * vbm_surface_polygon_ball() counts the balls given; vbm_surface_vertex_sample() is -1.
  * Errors: ARGUMENT, INPUT (kind "ball"), NO_INTERIOR (no ball with a radius), LIMIT, MEMORY, CANCELLED.
- * Source: thesis 8.3; Edelsbrunner, "The union of balls and its dual shape" (1995). */
+ * Source: thesis 8.3, 8.5; Edelsbrunner, "The union of balls and its dual shape" (1995), "Deformable
+ * smooth surface design" (1999). */
 VBM_API vbm_status vbm_surface_from_balls(vbm_context *context, const double *centers,
                                           const double *radii, size_t count,
                                           const vbm_ball_surface_options *options,

@@ -7,6 +7,7 @@
 // and only then does each patch become a polygon (patch_mesh.h).
 #include "ball_surface/singular_points.h"
 
+#include "ball_surface/merge_points.h"
 #include "ball_surface/patch_complex.h"
 #include "ball_surface/patch_mesh.h"
 #include "core/error.h"
@@ -33,10 +34,7 @@ struct Merged {
 
 Merged merged_complex(const UnionInput &set, const PatchOptions &options, double bridge,
                       Progress &progress) {
-  if (set.balls.empty())
-    throw Error(VBM_ERROR_NO_INTERIOR,
-                set.points ? "all balls have a radius of 0: there is nothing to make a surface of"
-                           : "there are no balls to make a surface of");
+  check_any(set);
   Merged m;
   if (options.bridged) {
     std::vector<Ball> larger(set.balls);
@@ -131,25 +129,6 @@ void fill_vertices(Surface &surface, const PatchMesh &mesh, const UnionInput &se
   for (double &r : surface.vertex_radius) r = set.frame.length_to_input(r);
 }
 
-/// How far the middles of the triangles are from the spheres they stand for.
-void fill_gaps(vbm_surface_report &report, const PatchMesh &mesh, const Triangles &triangles,
-               const UnionInput &set, Progress &progress) {
-  double most = 0, sum = 0, area = 0;
-  for (std::size_t t = 0; t < triangles.corners.size(); ++t) {
-    progress.tick(t, triangles.corners.size());
-    const auto &c = triangles.corners[t];
-    const Vec3 &p = mesh.position[c[0]], &q = mesh.position[c[1]], &r = mesh.position[c[2]];
-    const Ball &ball = set.balls[mesh.ball[triangles.polygon[t]]];
-    const double gap = std::fabs(distance((p + q + r) * (1.0 / 3), ball.center) - ball.radius);
-    const double weight = length(cross(q - p, r - p));
-    most = std::max(most, gap);
-    sum += weight * gap;
-    area += weight;
-  }
-  report.gap_max = set.frame.length_to_input(most);
-  report.gap_mean = set.frame.length_to_input(area > 0 ? sum / area : 0);
-}
-
 } // namespace
 
 Surface singular_point_surface(const UnionInput &set, const vbm_ball_surface_options &options,
@@ -166,7 +145,6 @@ Surface singular_point_surface(const UnionInput &set, const vbm_ball_surface_opt
   Surface surface;
   progress.stage("checking", 1);
   fill_vertices(surface, mesh, set, progress);
-  fill_gaps(surface.report, mesh, triangles, set, progress);
   vbm_surface_report &report = surface.report;
   report.split_vertices = count_doubles(surface.vertices, progress);
   report.hidden_balls = set.points;
@@ -179,13 +157,12 @@ Surface singular_point_surface(const UnionInput &set, const vbm_ball_surface_opt
   surface.triangle_polygon = std::move(triangles.polygon);
   surface.polygons = std::move(mesh.polygons);
   surface.polygon_ball = std::move(mesh.ball);
+  fill_gaps(surface, set, progress);
   for (int32_t &b : surface.polygon_ball) b = set.number[b];
   if (report.offset_points)
     surface.notes += counted(report.offset_points, "singular point is", "singular points are") +
                      " where three balls do not meet: they are offset by the mean radius.\n";
-  if (set.points)
-    surface.notes += counted(set.points, "ball has", "balls have") +
-                     " no radius to speak of and bound nothing: left out.\n";
+  surface.notes += note_on_points(set);
   measure(surface, progress);
   return surface;
 }

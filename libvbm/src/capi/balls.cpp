@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Unions of any balls: measures and surfaces.
+#include "ball_surface/singular_crust.h"
 #include "ball_surface/singular_points.h"
+#include "ball_surface/skin.h"
 #include "capi/guard.h"
 #include "capi/views.h"
 #include "core/tolerances.h"
@@ -30,7 +32,14 @@ vbm_measures *measure_list(const BallList &list, std::size_t count, Progress &pr
 
 vbm_surface *surface_of(const UnionInput &set, const vbm_ball_surface_options &options,
                         Progress &progress) {
-  return new vbm_surface{singular_point_surface(set, options, progress)};
+  switch (options.style) {
+  case VBM_BALL_STYLE_SKIN:
+    return new vbm_surface{skin_surface(set, options, progress)};
+  case VBM_BALL_STYLE_POWER_CRUST:
+    return new vbm_surface{singular_crust(set, options, progress)};
+  default:
+    return new vbm_surface{singular_point_surface(set, options, progress)};
+  }
 }
 
 UnionInput set_of(BallList list) {

@@ -72,6 +72,7 @@ vbm_ball_surface_options ball_surface_defaults() {
   o.style = VBM_BALL_STYLE_SINGULAR_POINTS;
   o.bulge = 0.15;
   o.bridge = 0;
+  o.shrink = 0.9;
   return o;
 }
 
@@ -165,10 +166,12 @@ vbm_curve_skeleton_options read_options(const vbm_curve_skeleton_options *option
 vbm_ball_surface_options read_options(const vbm_ball_surface_options *options) {
   const vbm_ball_surface_options o =
       read(options, ball_surface_defaults(), "vbm_ball_surface_options_init");
-  if (o.style < VBM_BALL_STYLE_SINGULAR_POINTS || o.style > VBM_BALL_STYLE_SINGULAR_POINTS)
-    bad_option("style", "is " + std::to_string(o.style) + ": use 0 (vbm_ball_style)");
+  if (o.style < VBM_BALL_STYLE_SINGULAR_POINTS || o.style > VBM_BALL_STYLE_POWER_CRUST)
+    bad_option("style", "is " + std::to_string(o.style) + ": use 0 to 2 (vbm_ball_style)");
   if (!(o.bulge >= 0.001 && o.bulge <= 1)) bad_option("bulge", "is outside its range 0.001 to 1");
   if (!(o.bridge >= 0 && o.bridge <= 1)) bad_option("bridge", "is outside its range 0 to 1");
+  if (!(o.shrink >= 0.05 && o.shrink <= 0.99))
+    bad_option("shrink", "is outside its range 0.05 to 0.99");
   return o;
 }
 

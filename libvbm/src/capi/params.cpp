@@ -46,10 +46,12 @@ constexpr const char *kMeasureHelps[] = {
     "The angle in degrees under which its two sides are seen from the axis",
     "Its share of the exact volume of all the inner balls together, 0 to 1"};
 
-constexpr const char *kBallStyleNames[] = {"singular_points"};
-constexpr const char *kBallStyleLabels[] = {"Singular Points"};
+constexpr const char *kBallStyleNames[] = {"singular_points", "skin", "power_crust"};
+constexpr const char *kBallStyleLabels[] = {"Singular Points", "Skin", "Power Crust"};
 constexpr const char *kBallStyleHelps[] = {
-    "About one polygon a ball, through the points where three balls meet"};
+    "About one polygon a ball, through the points where three balls meet",
+    "Smooth, round the balls, with creases filled in; has the topology of slightly larger balls",
+    "Power crust of the points where three balls meet, with the balls inside it"};
 
 constexpr const char *kClusterMeasureNames[] = {"enclosing", "union"};
 constexpr const char *kClusterMeasureLabels[] = {"Enclosing Ball", "Union of Balls"};
@@ -126,16 +128,19 @@ constexpr vbm_param kParams[] = {
      "Neighbouring balls are about this many times half the shape's width apart", "ratio",
      VBM_PARAM_FLOAT, 0, nullptr, nullptr, nullptr, 0.5, 0.05, 100},
     {sizeof(vbm_param), "surface_from_balls", "style", "Style", "What kind of surface is made", "",
-     VBM_PARAM_ENUM, 1, kBallStyleNames, kBallStyleLabels, kBallStyleHelps,
-     VBM_BALL_STYLE_SINGULAR_POINTS, VBM_BALL_STYLE_SINGULAR_POINTS,
-     VBM_BALL_STYLE_SINGULAR_POINTS},
+     VBM_PARAM_ENUM, 3, kBallStyleNames, kBallStyleLabels, kBallStyleHelps,
+     VBM_BALL_STYLE_SINGULAR_POINTS, VBM_BALL_STYLE_SINGULAR_POINTS, VBM_BALL_STYLE_POWER_CRUST},
     {sizeof(vbm_param), "surface_from_balls", "bulge", "Bulge",
      "Add vertices on a ball where its polygon would lie farther from the sphere than this share "
      "of the radius",
      "ratio", VBM_PARAM_FLOAT, 0, nullptr, nullptr, nullptr, 0.15, 0.001, 1},
     {sizeof(vbm_param), "surface_from_balls", "bridge", "Bridge Gaps",
-     "Join balls that would meet if their radii were larger by this share", "ratio",
-     VBM_PARAM_FLOAT, 0, nullptr, nullptr, nullptr, 0, 0, 1},
+     "Join balls that would meet if their radii were larger by this share; not for the skin",
+     "ratio", VBM_PARAM_FLOAT, 0, nullptr, nullptr, nullptr, 0, 0, 1},
+    {sizeof(vbm_param), "surface_from_balls", "shrink", "Shrink Factor",
+     "Skin: near 1 the balls themselves, with narrow creases; smaller ones round creases more and "
+     "bridge wider gaps",
+     "ratio", VBM_PARAM_FLOAT, 0, nullptr, nullptr, nullptr, 0.9, 0.05, 0.99},
     {sizeof(vbm_param), "cluster", "sphericity", "Sphericity",
      "How much of a ball that replaces others one of them fills, by radius, at least", "ratio",
      VBM_PARAM_FLOAT, 0, nullptr, nullptr, nullptr, 0.95, 0.01, 1},

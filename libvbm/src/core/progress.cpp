@@ -10,8 +10,13 @@ namespace vbm::impl {
 void Progress::stage(const char *name, double end) {
   name_ = name;
   begin_ = end_;
-  end_ = std::clamp(end, begin_, 1.0);
+  end_ = std::clamp(part_begin_ + (part_end_ - part_begin_) * end, begin_, 1.0);
   if (callback_) call(begin_);
+}
+
+void Progress::part(double end) {
+  part_begin_ = end_;
+  part_end_ = std::max(end, end_);
 }
 
 void Progress::report(std::size_t done, std::size_t total) {

@@ -19,6 +19,9 @@ public:
   /// Begin a stage that ends at `end` of the whole call. Always reports.
   void stage(const char *name, double end);
 
+  /// Stages begun from here on are those of a call that fills this one up to `end`.
+  void part(double end);
+
   /// Report that `done` of `total` of this stage is through. Cheap: looks at the clock once every
   /// few calls and calls back at most every 20 ms. Call it at least every few milliseconds of work.
   void tick(std::size_t done, std::size_t total) {
@@ -40,6 +43,7 @@ private:
   void *user_ = nullptr;
   const char *name_ = "";
   double begin_ = 0, end_ = 0, last_ = 0;
+  double part_begin_ = 0, part_end_ = 1;
   unsigned calls_ = 0;
   std::chrono::steady_clock::time_point last_time_{};
 };

@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Edge contraction under the link condition (Dey, Edelsbrunner, Guha, Nekhayev, "Topology
+// preserving edge contraction", 1999): the ends have two neighbours in common, those of the edge's
+// triangles, and these have more than three neighbours. Marching makes many triangles of no size,
+// where a mixed cell's pieces have none.
+#include "ball_surface/skin_mesh.h"
+#include "core/progress.h"
+#include "match/sort_in_pieces.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace vbm::impl {
+namespace {
+
+constexpr int kMostPasses = 12;
+/// Share of the short edges that a pass has to contract for another one to be made.
+constexpr double kWorthwhile = 0.03;
+constexpr std::size_t kMostNeighbors = 24;
+/// Cosine between a triangle's normal and the skin's, which contraction must not bring it below.
+constexpr double kTurned = 0.5;
+
+class Contraction {
+public:
+  Contraction(SkinMesh &mesh, const MixedComplex &mixed, double share, Progress &progress)
+      : mesh_(mesh), mixed_(mixed), share_(share), progress_(progress) {}
+
+  void run() {
+    find_twins();
+    mark_.assign(mesh_.position.size(), 0);
+    for (int pass = 0; pass < kMostPasses && contract_once() >= kWorthwhile; ++pass) {
+    }
+    compact();
+  }
+
+private:
+  // Half-edge 3 t + i runs from corner i of triangle t to the next one.
+  static int32_t next(int32_t h) { return h % 3 == 2 ? h - 2 : h + 1; }
+  static int32_t previous(int32_t h) { return h % 3 == 0 ? h + 2 : h - 1; }
+  int32_t &vertex(int32_t h) { return mesh_.triangles[h / 3].vertex[h % 3]; }
+  const Vec3 &at(int32_t v) const { return mesh_.position[v]; }
+
+  struct Edge {
+    double length;
+    int32_t h;
+  };
+
+  void find_twins() {
+    struct Half {
+      int32_t low, high, h;
+    };
+    std::vector<Half> halves;
+    halves.reserve(3 * mesh_.triangles.size());
+    for (int32_t h = 0; h < int32_t(3 * mesh_.triangles.size()); ++h) {
+      progress_.tick(0, 1);
+      const int32_t a = vertex(h), b = vertex(next(h));
+      halves.push_back({std::min(a, b), std::max(a, b), h});
+    }
+    sort_in_pieces(
+        halves,
+        [](const Half &a, const Half &b) {
+          return a.low != b.low ? a.low < b.low : a.high != b.high ? a.high < b.high : a.h < b.h;
+        },
+        progress_);
+    twin_.resize(halves.size());
+    for (std::size_t i = 0; i + 1 < halves.size(); i += 2) {
+      progress_.tick(0, 1);
+      twin_[halves[i].h] = halves[i + 1].h;
+      twin_[halves[i + 1].h] = halves[i].h;
+    }
+  }
+
+  double limit(int32_t h) const {
+    const SkinMesh::Triangle &s = mesh_.triangles[h / 3], &t = mesh_.triangles[twin_[h] / 3];
+    return share_ * std::min(mixed_.radius(s.ball), mixed_.radius(t.ball));
+  }
+
+  bool gone(int32_t h) const { return mesh_.triangles[h / 3].vertex[0] < 0; }
+
+  /// The share of the short edges that went.
+  double contract_once() {
+    std::vector<Edge> edges;
+    for (int32_t h = 0; h < int32_t(twin_.size()); ++h) {
+      progress_.tick(0, 1);
+      if (h > twin_[h] || gone(h)) continue;
+      const double length = distance(at(vertex(h)), at(vertex(next(h))));
+      if (length < limit(h)) edges.push_back({length, h});
+    }
+    sort_in_pieces(
+        edges,
+        [](const Edge &a, const Edge &b) {
+          return a.length != b.length ? a.length < b.length : a.h < b.h;
+        },
+        progress_);
+    std::size_t went = 0;
+    for (const Edge &e : edges) {
+      progress_.tick(0, 1);
+      if (gone(e.h) || distance(at(vertex(e.h)), at(vertex(next(e.h)))) > 2 * e.length) continue;
+      went += contract(e.h) || contract(twin_[e.h]);
+    }
+    return edges.empty() ? 0 : double(went) / double(edges.size());
+  }
+
+  /// Half-edges from the first vertex of h, h first.
+  void list_fan(int32_t h, std::vector<int32_t> &fan) {
+    fan.clear();
+    int32_t k = h;
+    do {
+      fan.push_back(k);
+      k = twin_[previous(k)];
+    } while (k != h && fan.size() <= kMostNeighbors);
+  }
+
+  /// Moves the first vertex of h into its second.
+  bool contract(int32_t h) {
+    const int32_t from = vertex(h), to = vertex(next(h)), g = twin_[h];
+    list_fan(h, fan_);
+    list_fan(g, other_);
+    if (fan_.size() + other_.size() > kMostNeighbors + 4) return false;
+    if (!link_holds(h, g) || !stays_upright(from, to)) return false;
+    for (int32_t k : fan_) vertex(k) = to;
+    // The triangles on both sides of h go; what was beyond their other edges is joined.
+    for (int32_t k : {h, g}) {
+      const int32_t a = twin_[next(k)], b = twin_[previous(k)];
+      twin_[a] = b;
+      twin_[b] = a;
+      mesh_.triangles[k / 3].vertex = {-1, -1, -1};
+    }
+    return true;
+  }
+
+  bool link_holds(int32_t h, int32_t g) {
+    ++stamp_;
+    for (int32_t k : fan_) mark_[vertex(next(k))] = stamp_;
+    int common = 0;
+    for (int32_t k : other_) common += mark_[vertex(next(k))] == stamp_;
+    if (common != 2) return false;
+    for (int32_t k : {h, g}) {
+      const int32_t corner = previous(k);
+      int count = 0;
+      int32_t i = corner;
+      do {
+        ++count;
+        i = twin_[previous(i)];
+      } while (i != corner && count < 4);
+      if (count < 4) return false;
+    }
+    return true;
+  }
+
+  /// Cosine between the normal of a triangle and those of the skin at its corners.
+  double upright(const std::array<int32_t, 3> &v) const {
+    const Vec3 n = cross(at(v[1]) - at(v[0]), at(v[2]) - at(v[0]));
+    const Vec3 skin = mesh_.normal[v[0]] + mesh_.normal[v[1]] + mesh_.normal[v[2]];
+    const double size = length(n) * length(skin);
+    return size > 0 ? dot(n, skin) / size : -1;
+  }
+
+  bool stays_upright(int32_t from, int32_t to) {
+    if (at(from) == at(to)) return true;
+    for (std::size_t i = 1; i + 1 < fan_.size(); ++i) { // all but both triangles at h
+      const int32_t k = fan_[i];
+      std::array<int32_t, 3> v{vertex(k), vertex(next(k)), vertex(previous(k))};
+      const double before = upright(v);
+      v[0] = to;
+      const double after = upright(v);
+      if (!(after >= kTurned || after >= before)) return false;
+    }
+    return true;
+  }
+
+  /// Drops what is gone.
+  void compact() {
+    std::vector<int32_t> number(mesh_.position.size(), -1);
+    SkinMesh out;
+    for (const SkinMesh::Triangle &t : mesh_.triangles) {
+      progress_.tick(0, 1);
+      if (t.vertex[0] < 0) continue;
+      out.triangles.push_back(t);
+      for (int32_t &v : out.triangles.back().vertex) {
+        if (number[v] < 0) {
+          number[v] = int32_t(out.position.size());
+          out.position.push_back(mesh_.position[v]);
+          out.normal.push_back(mesh_.normal[v]);
+        }
+        v = number[v];
+      }
+    }
+    mesh_ = std::move(out);
+  }
+
+  SkinMesh &mesh_;
+  const MixedComplex &mixed_;
+  const double share_;
+  Progress &progress_;
+  std::vector<int32_t> twin_; // of each half-edge
+  std::vector<int32_t> fan_, other_;
+  std::vector<uint32_t> mark_; // of vertices: the stamp of the last look
+  uint32_t stamp_ = 0;
+};
+
+} // namespace
+
+void contract(SkinMesh &mesh, const MixedComplex &mixed, double share, Progress &progress) {
+  Contraction(mesh, mixed, share, progress).run();
+}
+
+} // namespace vbm::impl
