@@ -95,6 +95,7 @@ void table(const Balls &balls, int repeat, bool skin) {
     if (style == VBM_BALL_STYLE_SINGULAR_POINTS)
       std::printf("   goal <= %g: %s", kGoal, seconds / bare <= kGoal ? "pass" : "over");
     std::printf("\n");
+    std::fflush(stdout);
   }
   if (!skin) return;
   bench::SkinSize size;

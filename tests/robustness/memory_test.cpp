@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <functional>
 #include <string>
 #include <vector>
@@ -197,6 +198,41 @@ TEST_F(Memory, Clusters) {
         vbm_clusters_free(clusters);
         return status;
       });
+}
+
+TEST_F(Memory, BallSurfaces) {
+  std::vector<double> centers, radii; // a ring, so that there is a tunnel, and one apart
+  for (int i = 0; i < 8; ++i) {
+    centers.insert(centers.end(), {std::cos(i * .7854), std::sin(i * .7854), .01 * i});
+    radii.push_back(.45 + .01 * (i * 3 % 8));
+  }
+  centers.insert(centers.end(), {0, 0, 2});
+  radii.push_back(.3);
+  for (const int32_t style :
+       {VBM_BALL_STYLE_SINGULAR_POINTS, VBM_BALL_STYLE_SKIN, VBM_BALL_STYLE_POWER_CRUST})
+    fail_everywhere("surface from balls", [&](vbm_context *context, std::string *shown) {
+      vbm_ball_surface_options options;
+      vbm_ball_surface_options_init(&options, sizeof options);
+      options.style = style;
+      vbm_surface *surface = nullptr;
+      const vbm_status status = vbm_surface_from_balls(context, centers.data(), radii.data(),
+                                                       radii.size(), &options, &surface);
+      EXPECT_EQ(status == VBM_OK, surface != nullptr);
+      if (shown && surface) *shown = snapshot(surface);
+      vbm_surface_free(surface);
+      return status;
+    });
+  fail_everywhere("measures", [&](vbm_context *context, std::string *shown) {
+    vbm_measures *measures = nullptr;
+    const vbm_status status =
+        vbm_union_measures(context, centers.data(), radii.data(), radii.size(), &measures);
+    EXPECT_EQ(status == VBM_OK, measures != nullptr);
+    std::size_t count = 0;
+    if (const double *shares = vbm_measures_ball_volumes(measures, &count); shown && shares)
+      shown->assign(reinterpret_cast<const char *>(shares), count * sizeof *shares);
+    vbm_measures_free(measures);
+    return status;
+  });
 }
 
 TEST_F(Memory, Surfaces) {

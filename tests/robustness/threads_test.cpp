@@ -8,6 +8,7 @@
 
 #include <atomic>
 #include <functional>
+#include <string>
 #include <thread>
 #include <vector>
 
@@ -48,6 +49,33 @@ TEST(Threads, ContextsAreIndependent) {
         EXPECT_TRUE(outcome.bytes == alone[which]) << "another result in a thread: " << which;
       }
     });
+  at_once(bodies);
+}
+
+TEST(Threads, BallSurfacesInContextsOfTheirOwn) {
+  const shapes::Shape torus = shapes::torus(16, 8, 2, .6, .2);
+  const std::vector<double> radii(torus.size(), .35);
+  const auto make = [&](int32_t style) {
+    vbm_context *context = nullptr;
+    EXPECT_EQ(vbm_context_create(&context), VBM_OK);
+    vbm_ball_surface_options options;
+    vbm_ball_surface_options_init(&options, sizeof options);
+    options.style = style;
+    vbm_surface *surface = nullptr;
+    EXPECT_EQ(vbm_surface_from_balls(context, torus.points.data(), radii.data(), torus.size(),
+                                     &options, &surface),
+              VBM_OK)
+        << vbm_context_message(context);
+    std::string bytes = snapshot(surface);
+    vbm_surface_free(surface);
+    vbm_context_free(context);
+    return bytes;
+  };
+  std::vector<std::string> alone;
+  for (int32_t style = 0; style < 3; ++style) alone.push_back(make(style));
+  std::vector<std::function<void()>> bodies;
+  for (int32_t i = 0; i < 6; ++i)
+    bodies.push_back([&, i] { EXPECT_TRUE(make(i % 3) == alone[std::size_t(i % 3)]) << i; });
   at_once(bodies);
 }
 
