@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Edelsbrunner, "Deformable smooth surface design" (1999), with the balls grown so that they are
 // inside and touch it, as in CGAL's Skin_surface_3. CGAL's own is not used: it has no place for
-// progress or cancelling, ends the process where GMP runs out of memory, and takes many times as
-// long; a test compares both.
+// progress or cancelling, ends the process where GMP runs out of memory, and takes several times as
+// long (vbm_bench_balls --skin).
 #include "ball_surface/skin.h"
 
 #include "ball_surface/skin_mesh.h"
