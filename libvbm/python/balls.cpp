@@ -68,6 +68,7 @@ const Field kFields[] = {
     {"bulge", &vbm_ball_surface_options::bulge},
     {"bridge", &vbm_ball_surface_options::bridge},
     {"shrink", &vbm_ball_surface_options::shrink},
+    {"narrow", &vbm_ball_surface_options::narrow},
 };
 
 BallSurfaceOptions surface_options(const Arguments &given) {

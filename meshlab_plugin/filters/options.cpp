@@ -69,6 +69,8 @@ bool set_option(vbm_ball_surface_options &options, const std::string &name, doub
     options.bridge = value;
   else if (name == "shrink")
     options.shrink = value;
+  else if (name == "narrow")
+    options.narrow = value;
   else
     return false;
   return true;

@@ -65,6 +65,10 @@ typedef struct vbm_ball_surface_options {
                      are joined (8.3.5); default 0, 0 to 1                                           */
   double shrink;  /* skin: the shrink factor. Near 1 it is the balls with narrow creases, smaller ones
                      round creases more and bridge wider gaps; default 0.9, 0.05 to 0.99             */
+  double narrow;  /* singular points: what is bare of a ball and narrower than this share of the
+                     distance between faces (the root of the area there is for a ball), than `bulge`
+                     and than 0.15 radii, is closed: its neighbours' faces meet. Without it balls in
+                     a tube make faces a hundred times longer than wide; default 0.6, 0 to 1         */
 } vbm_ball_surface_options;
 
 VBM_API void vbm_ball_surface_options_init(vbm_ball_surface_options *options, size_t struct_size);
@@ -74,7 +78,8 @@ VBM_API void vbm_ball_surface_options_init(vbm_ball_surface_options *options, si
  * SINGULAR_POINTS: about a polygon for each ball. It has the topology of the union's boundary, by
  * construction: of the dual shape of the balls, their radii grown by 1e-8 so that balls that touch do
  * meet. Isolated balls, chains, rings and sheets are fine. Where the surface touches itself, vertices
- * stand twice (split_vertices). Four balls or more through one point give one vertex.
+ * stand twice (split_vertices). Four balls or more through one point give one vertex. What is closed
+ * by `narrow` or has other diagonals because of needles changes places, not topology.
  *
  * SKIN: triangles, smooth where balls meet; the balls are inside and touch it. It has the topology of the
  * union of larger balls, radii divided by sqrt(shrink), which may join balls that are apart and close

@@ -2,7 +2,7 @@
 // Singular points at one place made one, the surface unchanged.
 #pragma once
 
-#include "ball_surface/patch_complex.h"
+#include "ball_surface/complex_editor.h"
 #include "core/model.h"
 
 #include <cstdint>
@@ -21,14 +21,14 @@ struct TouchedSamples {
   /// The first of three balls' common samples on a side of their centres' plane, -1 if there is
   /// none.
   int32_t common(const DualShape &shape, int32_t code) const;
+  /// That of each of a complex's vertices.
+  std::vector<int32_t> of(const PatchComplex &complex, const DualShape &shape,
+                          Progress &progress) const;
 };
 
-/// Contracts arcs of no length, and takes out patches that are left with one or two arcs.
-/// Afterwards no two arcs have the same ends, none ends where it begins, and all patches have three
-/// darts or more, or none. `sample` receives the sample that each vertex is, or -1. Returns how
-/// many singular points went.
-std::size_t merge_points(PatchComplex &complex, const DualShape &shape, const PatchOptions &options,
-                         const TouchedSamples &touched, std::vector<int32_t> &sample,
-                         Progress &progress);
+/// Contracts arcs of no length, and closes patches that are left with one or two arcs. Returns how
+/// many singular points went. `sample` is that of each vertex as it was at first.
+std::size_t merge_points(ComplexEditor &editor, const std::vector<int32_t> &sample,
+                         const PatchOptions &options, Progress &progress);
 
 } // namespace vbm::impl

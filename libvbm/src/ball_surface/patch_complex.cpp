@@ -15,6 +15,7 @@
 // radius.
 #include "ball_surface/patch_complex.h"
 
+#include "ball_surface/patch_area.h"
 #include "core/disjoint_sets.h"
 #include "core/progress.h"
 #include "core/tolerances.h"
@@ -128,7 +129,7 @@ private:
       const DualShape::Edge &edge = shape_.edges[e];
       if (edge.begin == edge.end) {
         const Axis3 axis(shape_.site[edge.a], shape_.site[edge.b]);
-        add_circle(uint32_t(e), axis);
+        add_whole_circle(uint32_t(e), axis);
         continue;
       }
       bool any = false;
@@ -178,7 +179,8 @@ private:
     const int32_t first = point_[2 * t.triangle + t.side],
                   last = point_[2 * u.triangle + 1 - u.side];
     const int32_t dart = int32_t(out_.darts.size());
-    add_pieces(e, turn, begin, begin + angle, n, first, last);
+    add_circle(e, turn, axis, from);
+    add_pieces(begin, begin + angle, n, first, last);
     const int32_t final_dart = int32_t(out_.darts.size()) - 2;
     // Ball b's darts run along the arc, a's against it.
     start_[corner(t.triangle, first, edge.b)] = dart + 1;
@@ -192,14 +194,23 @@ private:
     return 3 * std::size_t(point) + (b[1] == ball) + 2 * (b[2] == ball);
   }
 
-  void add_circle(uint32_t e, const Axis3 &axis) {
+  void add_circle(uint32_t e, uint32_t turn, const Axis3 &axis, const Vec3 &from) {
+    out_.circles.push_back({e, turn, axis.center, from * axis.radius,
+                            cross(axis.direction, from) * axis.radius, axis.direction,
+                            axis.height_a, axis.height_b});
+  }
+
+  void add_whole_circle(uint32_t e, const Axis3 &axis) {
     const DualShape::Edge &edge = shape_.edges[e];
     const int n = std::max(kLeastPieces, pieces(edge, axis, 2 * kPi));
     const int32_t first = int32_t(out_.position.size()), dart = int32_t(out_.darts.size());
-    out_.arcs.push_back({e, edge.end, 0, 0});
-    add_vertex(arc_point(shape_, out_.arcs.back(), 0));
-    out_.arcs.pop_back();
-    add_pieces(e, edge.end, 0, 2 * kPi, n, first, first);
+    // Any direction: across the axis's smallest coordinate.
+    const Vec3 &d = axis.direction;
+    const double x = std::fabs(d.x), y = std::fabs(d.y), z = std::fabs(d.z);
+    const Vec3 u = x <= y && x <= z ? Vec3{1, 0, 0} : y <= z ? Vec3{0, 1, 0} : Vec3{0, 0, 1};
+    add_circle(e, edge.end, axis, unit(axis.perpendicular(u)));
+    add_vertex(PatchComplex::point(out_.circles.back(), 0));
+    add_pieces(0, 2 * kPi, n, first, first);
     const int32_t last = int32_t(out_.darts.size()) - 2;
     set_next(last + 1, dart + 1);
     set_next(dart, last);
@@ -211,14 +222,19 @@ private:
     return int32_t(out_.position.size()) - 1;
   }
 
-  void add_pieces(uint32_t e, uint32_t turn, double begin, double end, int n, int32_t first,
-                  int32_t last) {
+  /// Of the last circle.
+  void add_pieces(double begin, double end, int n, int32_t first, int32_t last) {
+    const PatchComplex::Circle &circle = out_.circles.back();
+    const int32_t number = int32_t(out_.circles.size()) - 1;
     int32_t at = first;
+    Vec3 here = PatchComplex::point(circle, begin);
     for (int k = 0; k < n; ++k) {
       const double from = begin + (end - begin) * k / n, to = begin + (end - begin) * (k + 1) / n;
       const int32_t arc = int32_t(out_.arcs.size()), dart = int32_t(out_.darts.size());
-      out_.arcs.push_back({e, turn, from, to});
-      const int32_t there = k + 1 == n ? last : add_vertex(arc_point(shape_, out_.arcs.back(), to));
+      const Vec3 next = PatchComplex::point(circle, to);
+      out_.arcs.push_back({number, from, to, here, next});
+      const int32_t there = k + 1 == n ? last : add_vertex(next);
+      here = next;
       out_.darts.push_back({there, -1, -1, dart + 1, -1, arc, false});
       out_.darts.push_back({at, -1, -1, dart, -1, arc, true});
       if (k > 0) {
@@ -241,7 +257,7 @@ private:
   // ---- Patches
 
   int32_t ball_of(const Dart &d) const {
-    const DualShape::Edge &edge = shape_.edges[out_.arcs[d.arc].edge];
+    const DualShape::Edge &edge = shape_.edges[out_.circle(d).edge];
     return d.forward ? edge.b : edge.a;
   }
 
@@ -317,9 +333,9 @@ private:
     mark_.resize(shape_.cells.size(), -1);
     std::vector<int32_t> stack, seen;
     for (int32_t loop : loops) {
-      const PatchComplex::Arc &arc = out_.arcs[out_.darts[loop].arc];
-      const DualShape::Edge &edge = shape_.edges[arc.edge];
-      const int32_t cell = arc.turn == edge.end ? edge.cell : shape_.turns[arc.turn].cell;
+      const PatchComplex::Circle &circle = out_.circle(out_.darts[loop]);
+      const DualShape::Edge &edge = shape_.edges[circle.edge];
+      const int32_t cell = circle.turn == edge.end ? edge.cell : shape_.turns[circle.turn].cell;
       const int32_t patch = out_.darts[loop].patch;
       if (mark_[cell] >= 0) {
         join(loop, mark_[cell]);
@@ -370,39 +386,8 @@ private:
         sum += p - c;
       }
       if (dot(normal, sum + (origin - c)) > 0) continue;
-      patch.wraps = solid_angle(int32_t(d), patch) > kWraps;
+      patch.wraps = loop_angle(out_, shape_, int32_t(d)) > kWraps;
     }
-  }
-
-  /// Of a patch of one loop, by the theorem of Gauss and Bonnet.
-  double solid_angle(int32_t first, const PatchComplex::Patch &patch) const {
-    const Site &ball = shape_.site[patch.ball];
-    const Vec3 c = center_of(ball);
-    double sum = 2 * kPi;
-    int32_t at = first;
-    do {
-      const Dart &d = out_.darts[at], &next = out_.darts[d.next];
-      const PatchComplex::Arc &arc = out_.arcs[d.arc];
-      const DualShape::Edge &edge = shape_.edges[arc.edge];
-      const Axis3 axis(shape_.site[edge.a], shape_.site[edge.b]);
-      sum += (d.forward ? axis.height_b : axis.height_a) / ball.r * (arc.to - arc.from);
-      if (arc.edge != out_.arcs[next.arc].edge || d.next == at) {
-        const Vec3 u = unit(out_.position[next.from] - c);
-        const Vec3 p = toward(arc.edge, patch.ball),
-                   q = toward(out_.arcs[next.arc].edge, patch.ball);
-        const Vec3 g = p - u * dot(p, u), h = q - u * dot(q, u);
-        sum -= std::atan2(length(cross(g, h)), dot(g, h));
-      }
-      at = d.next;
-    } while (at != first);
-    return sum;
-  }
-
-  /// The direction from a ball's centre to that of the other ball of an edge.
-  Vec3 toward(uint32_t e, int32_t ball) const {
-    const DualShape::Edge &edge = shape_.edges[e];
-    const Vec3 d = unit(center_of(shape_.site[edge.b]) - center_of(shape_.site[edge.a]));
-    return edge.a == ball ? d : -d;
   }
 
   void drop_joined() {
@@ -430,23 +415,6 @@ private:
 };
 
 } // namespace
-
-Vec3 arc_point(const DualShape &shape, const PatchComplex::Arc &arc, double angle) {
-  const DualShape::Edge &edge = shape.edges[arc.edge];
-  const Axis3 axis(shape.site[edge.a], shape.site[edge.b]);
-  Vec3 u;
-  if (arc.turn == edge.end) { // any direction: across the axis's smallest coordinate
-    const Vec3 &d = axis.direction;
-    const double x = std::fabs(d.x), y = std::fabs(d.y), z = std::fabs(d.z);
-    u = x <= y && x <= z ? Vec3{1, 0, 0} : y <= z ? Vec3{0, 1, 0} : Vec3{0, 0, 1};
-    u = unit(axis.perpendicular(u));
-  } else {
-    u = unit(
-        axis.perpendicular(shape.position(shape.turns[arc.turn].ball) - shape.position(edge.a)));
-  }
-  const Vec3 v = cross(axis.direction, u);
-  return axis.center + (u * std::cos(angle) + v * std::sin(angle)) * axis.radius;
-}
 
 PatchComplex patch_complex(const DualShape &shape, const std::vector<Ball> &balls,
                            const PatchOptions &options, Progress &progress) {

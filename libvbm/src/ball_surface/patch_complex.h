@@ -5,6 +5,7 @@
 
 #include "dual/dual_shape.h"
 
+#include <cmath>
 #include <cstdint>
 #include <vector>
 
@@ -12,8 +13,12 @@ namespace vbm::impl {
 
 class Progress;
 
+/// Share of the radius: what is narrow is no wider than that, nor than the bulge.
+inline constexpr double kMostNarrow = 0.15;
+
 struct PatchOptions {
   double bulge = 0.1;   // see vbm_ball_surface_options
+  double narrow = 0.25; // see vbm_ball_surface_options
   bool bridged = false; // the dual shape is that of larger balls than `balls`
 };
 
@@ -28,11 +33,19 @@ struct PatchComplex {
     int32_t arc;
     bool forward; // the way the arc runs
   };
-  /// A piece of a circle: from angle `from` to `to`, counter-clockwise about the edge a to b.
-  struct Arc {
+  /// What two spheres have in common: center + u cos + v sin of an angle, counter-clockwise about
+  /// the edge a to b.
+  struct Circle {
     uint32_t edge;
     uint32_t turn; // angle 0 is in the direction of its ball; edge.end for whole circles
+    Vec3 center, u, v, axis;
+    double height_a, height_b; // of its plane over a's and b's centres, along a to b and b to a
+  };
+  /// A piece of it: from angle `from` to `to`, and where it ends.
+  struct Arc {
+    int32_t circle;
     double from, to;
+    Vec3 begin, end;
   };
   struct Patch {
     int32_t ball;
@@ -45,12 +58,17 @@ struct PatchComplex {
   std::vector<double> blur;   // how far the balls' changed radii may have moved it
   std::vector<int32_t> code;  // of singular points: 2 * triangle + side
   std::vector<Dart> darts;
+  std::vector<Circle> circles;
   std::vector<Arc> arcs;
   std::vector<Patch> patches;
   std::size_t offset_points = 0;   // where three balls do not meet (8.3.5)
   std::size_t singular_points = 0; // vertices 0 .. singular_points - 1; others are within arcs
 
   int32_t to(const Dart &d) const { return darts[d.twin].from; }
+  const Circle &circle(const Dart &d) const { return circles[arcs[d.arc].circle]; }
+  static Vec3 point(const Circle &c, double angle) {
+    return c.center + c.u * std::cos(angle) + c.v * std::sin(angle);
+  }
 };
 
 /// The complex of a dual shape. `balls` are those whose spheres vertices lie on: the shape's own,
@@ -60,8 +78,5 @@ PatchComplex patch_complex(const DualShape &shape, const std::vector<Ball> &ball
 
 /// Steradians.
 inline constexpr double kWraps = 3.14;
-
-/// The point of an arc at an angle.
-Vec3 arc_point(const DualShape &shape, const PatchComplex::Arc &arc, double angle);
 
 } // namespace vbm::impl

@@ -13,12 +13,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 namespace vbm::impl {
 namespace {
 
 /// Gaps, in bulges, up to which one vertex in the middle is enough: it divides the gap by four.
 constexpr double kFanGap = 4;
+
+/// Share of the shorter way round a face from one corner to another: where they are nearer than
+/// that it is narrow.
+constexpr double kNarrow = 0.5;
 
 class Meshing {
 public:
@@ -38,19 +43,16 @@ public:
       add_patch(int32_t(p));
     }
     split_shared_diagonals();
-    for (std::size_t t = 0; t < triangles_.size(); ++t) {
-      progress_.tick(t, triangles_.size());
-      add_polygon(triangles_[t].vertex.data(), 3, c_.patches[triangles_[t].patch].ball);
-    }
     mesh_.sample.resize(mesh_.position.size(), -1);
     return std::move(mesh_);
   }
 
 private:
-  struct Triangle {
-    std::array<int32_t, 3> vertex;
-    int32_t patch;
-    uint8_t diagonals; // bit k: side k lies within the patch and has both ends on its border
+  /// A side of a face: the vertex it begins at, and the number of the diagonal it is, -1 if it is
+  /// none: those lie within a patch with both ends on its border.
+  struct Side {
+    int32_t vertex;
+    int32_t diagonal = -1;
   };
 
   /// Darts by patch.
@@ -69,22 +71,8 @@ private:
       add_sphere(p);
       return;
     }
-    if (patch.loops == 1 && !patch.wraps && is_simple(p)) {
-      const Site &ball = shape_.site[patch.ball];
-      Vec3 sum;
-      for (int32_t v : loop_) sum += mesh_.position[v];
-      const Vec3 middle = sum * (1.0 / double(loop_.size())) - center_of(ball);
-      const double gap = std::fabs(length(middle) - ball.r), bulge = options_.bulge * ball.r;
-      if (gap <= bulge) {
-        add_polygon(loop_.data(), loop_.size(), patch.ball);
-        return;
-      }
-      if (gap <= kFanGap * bulge) {
-        add_fan(unit(middle), ball, patch.ball);
-        return;
-      }
-    }
-    build(p);
+    const bool simple = patch.loops == 1 && !patch.wraps && is_simple(p);
+    if (!simple || !add_disk(p, false)) build(p, simple);
   }
 
   /// Reads a patch's one loop; whether no vertex is in it twice.
@@ -108,29 +96,118 @@ private:
     return int32_t(mesh_.position.size()) - 1;
   }
 
-  void add_polygon(const int32_t *vertex, std::size_t count, int32_t ball) {
-    mesh_.polygons.index.insert(mesh_.polygons.index.end(), vertex, vertex + count);
-    mesh_.polygons.offset.push_back(mesh_.polygons.index.size());
-    mesh_.ball.push_back(ball);
+  void add_face(const Side *side, std::size_t count, int32_t p) {
+    side_.insert(side_.end(), side, side + count);
+    face_end_.push_back(side_.size());
+    face_patch_.push_back(p);
   }
 
-  void add_fan(const Vec3 &direction, const Site &ball, int32_t number) {
+  /// The patch of the loop that was read. Long ones are cut across where they are narrow until each
+  /// piece may be one face, or get a vertex in its middle. False, and nothing added, if that leaves
+  /// one that is too large for it, unless `any` is to do.
+  bool add_disk(int32_t p, bool any) {
+    const Site &ball = shape_.site[c_.patches[p].ball];
+    const Vec3 c = center_of(ball);
+    std::vector<std::vector<Side>> stack(1), faces, fans;
+    for (int32_t v : loop_) stack[0].push_back({v});
+    const int32_t diagonals = diagonals_;
+    const double bulge = options_.bulge * ball.r, most = 2 * std::sqrt(options_.bulge) * ball.r;
+    const bool pillow = is_pillow(p);
+    while (!stack.empty()) {
+      std::vector<Side> piece = std::move(stack.back());
+      stack.pop_back();
+      const Vec3 middle = middle_of(piece);
+      double far = 0;
+      for (const Side &s : piece) far = std::max(far, distance(mesh_.position[s.vertex], middle));
+      const double gap =
+          std::max(std::fabs(distance(middle, c) - ball.r), far * far / (2 * ball.r));
+      const bool is_cut = diagonals_ > diagonals;
+      if (pillow) {
+        fans.push_back(std::move(piece));
+      } else if (gap <= bulge ||
+                 (piece.size() == 3 && (any || (is_cut && gap <= kFanGap * bulge)))) {
+        faces.push_back(std::move(piece));
+      } else if (bisect(piece, any ? ball.r : most, stack)) {
+        continue;
+      } else if (any || gap <= kFanGap * bulge) {
+        fans.push_back(std::move(piece));
+      } else {
+        diagonals_ = diagonals;
+        return false;
+      }
+    }
+    for (const std::vector<Side> &f : faces) add_face(f.data(), f.size(), p);
+    for (const std::vector<Side> &f : fans) add_fan(f, unit(middle_of(f) - c), ball, p);
+    return true;
+  }
+
+  Vec3 middle_of(const std::vector<Side> &face) const {
+    Vec3 sum;
+    for (const Side &s : face) sum += mesh_.position[s.vertex];
+    return sum * (1.0 / double(face.size()));
+  }
+
+  /// Whether there is nothing but this patch and one more, with the same arcs round it: two faces
+  /// with the same corners are none.
+  bool is_pillow(int32_t p) const {
+    const int32_t other = c_.darts[c_.darts[dart_[first_[p]]].twin].patch;
+    if (other == p || c_.patches[other].darts != c_.patches[p].darts) return false;
+    for (uint32_t i = first_[p]; i < first_[p + 1]; ++i)
+      if (c_.darts[c_.darts[dart_[i]].twin].patch != other) return false;
+    return true;
+  }
+
+  /// Cuts a face in two where that is narrowest for its length; false if it is not narrow there, or
+  /// wider than `most`, so that it needs points between its sides.
+  bool bisect(const std::vector<Side> &face, double most, std::vector<std::vector<Side>> &out) {
+    const std::size_t n = face.size();
+    run_.assign(1, 0);
+    for (std::size_t i = 0; i < n; ++i)
+      run_.push_back(run_.back() + distance(mesh_.position[face[i].vertex],
+                                            mesh_.position[face[(i + 1) % n].vertex]));
+    double best = kNarrow;
+    std::size_t from = 0, to = 0;
+    for (std::size_t i = 0; i + 2 < n; ++i)
+      for (std::size_t j = i + 2; j < n; ++j) {
+        if (i == 0 && j + 1 == n) continue;
+        const double half = std::min(run_[j] - run_[i], run_[n] - (run_[j] - run_[i]));
+        const double width =
+            distance(mesh_.position[face[i].vertex], mesh_.position[face[j].vertex]);
+        if (width >= best * half || width > most) continue;
+        best = width / half;
+        from = i;
+        to = j;
+      }
+    if (from == to) return false;
+    std::vector<Side> first(face.begin() + from, face.begin() + to + 1), second;
+    first.back().diagonal = diagonals_;
+    second.assign(face.begin() + to, face.end());
+    second.insert(second.end(), face.begin(), face.begin() + from + 1);
+    second.back().diagonal = diagonals_++;
+    out.push_back(std::move(second));
+    out.push_back(std::move(first));
+    return true;
+  }
+
+  void add_fan(const std::vector<Side> &face, const Vec3 &direction, const Site &ball, int32_t p) {
     const int32_t middle = add_vertex(ball, direction);
-    for (std::size_t i = 0; i < loop_.size(); ++i) {
-      const int32_t t[3] = {loop_[i], loop_[(i + 1) % loop_.size()], middle};
-      add_polygon(t, 3, number);
+    for (std::size_t i = 0; i < face.size(); ++i) {
+      const Side t[3] = {face[i], {face[(i + 1) % face.size()].vertex}, {middle}};
+      add_face(t, 3, p);
     }
   }
 
   void add_sphere(int32_t p) {
-    const int32_t number = c_.patches[p].ball, first = int32_t(mesh_.position.size());
-    for (const Vec3 &d : grid_.points) add_vertex(shape_.site[number], d);
-    for (const auto &t : grid_.triangles)
-      triangles_.push_back({{first + t[0], first + t[1], first + t[2]}, p, 0});
+    const int32_t first = int32_t(mesh_.position.size());
+    for (const Vec3 &d : grid_.points) add_vertex(shape_.site[c_.patches[p].ball], d);
+    for (const auto &t : grid_.triangles) {
+      const Side side[3] = {{first + t[0]}, {first + t[1]}, {first + t[2]}};
+      add_face(side, 3, p);
+    }
   }
 
   /// Triangles of a patch that has several loops, or a large one, or one that touches itself.
-  void build(int32_t p) {
+  void build(int32_t p, bool simple) {
     const int32_t number = c_.patches[p].ball;
     const Site &ball = shape_.site[number];
     SpherePatch patch;
@@ -149,19 +226,48 @@ private:
     }
     patch.caps = caps_of(number);
     PatchTriangles built;
-    if (!triangulate_patch(patch, grid_, built, progress_))
+    if (!triangulate_patch(patch, grid_, built, progress_) || meets_itself(built, corner)) {
+      if (simple) {
+        add_disk(p, true);
+        return;
+      }
       ring_patch(patch, patch_middle(patch, grid_), built);
+    }
     const int32_t corners = int32_t(corner.size()), first = int32_t(mesh_.position.size());
     for (const Vec3 &d : built.points) add_vertex(ball, d);
-    for (std::array<int32_t, 3> t : built.triangles) {
-      uint8_t diagonals = 0;
+    // Two corners may be one vertex: diagonals are told apart by their corners.
+    std::map<std::pair<int32_t, int32_t>, int32_t> number_of;
+    for (const std::array<int32_t, 3> &t : built.triangles) {
+      Side side[3];
       for (int k = 0; k < 3; ++k) {
         const int32_t u = t[k], v = t[(k + 1) % 3];
-        if (u < corners && v < corners && next[u] != v) diagonals |= uint8_t(1 << k);
+        side[k] = {u < corners ? corner[u] : first + u - corners};
+        if (u < corners && v < corners && next[u] != v)
+          side[k].diagonal =
+              number_of.emplace(std::minmax(u, v), diagonals_ + int32_t(number_of.size()))
+                  .first->second;
       }
-      for (int32_t &v : t) v = v < corners ? corner[v] : first + v - corners;
-      triangles_.push_back({t, p, diagonals});
+      add_face(side, 3, p);
     }
+    diagonals_ += int32_t(number_of.size());
+  }
+
+  /// Whether two corners that are one vertex have an edge, or one with the same point, so that it
+  /// would have four triangles.
+  static bool meets_itself(const PatchTriangles &built, const std::vector<int32_t> &corner) {
+    std::vector<int32_t> sorted(corner);
+    std::sort(sorted.begin(), sorted.end());
+    if (std::adjacent_find(sorted.begin(), sorted.end()) == sorted.end()) return false;
+    const int32_t corners = int32_t(corner.size());
+    std::vector<std::pair<int32_t, int32_t>> edges; // from corner to point
+    for (const auto &t : built.triangles)
+      for (int k = 0; k < 3; ++k) {
+        const int32_t u = t[k], v = t[(k + 1) % 3];
+        if (u < corners && v < corners && corner[u] == corner[v]) return true;
+        if (u < corners && v >= corners) edges.emplace_back(v, corner[u]);
+      }
+    std::sort(edges.begin(), edges.end());
+    return std::adjacent_find(edges.begin(), edges.end()) != edges.end();
   }
 
   /// What other balls cover of a sphere.
@@ -192,52 +298,58 @@ private:
   }
 
   struct Key {
-    int32_t low, high, patch; // patch -1: an arc
-    bool same(const Key &k) const { return low == k.low && high == k.high; }
-    bool operator<(const Key &k) const {
-      if (low != k.low) return low < k.low;
-      return high != k.high ? high < k.high : patch < k.patch;
-    }
+    int32_t low, high, diagonal, patch; // diagonal -1: an arc
   };
 
-  /// Triangles of two patches may have a side between the same two vertices, or where an arc is;
-  /// but an edge has two faces. All but one of them get a vertex in their middle.
+  /// Faces of two patches may have a side between the same two vertices, or where an arc is; but an
+  /// edge has two faces. All but one of them get a vertex in their middle.
   void split_shared_diagonals() {
-    if (triangles_.empty()) return;
-    std::vector<Key> keys;
-    for (const Triangle &t : triangles_)
-      for (int k = 0; k < 3; ++k) {
-        const int32_t u = t.vertex[k], v = t.vertex[(k + 1) % 3];
-        if (u < v && (t.diagonals >> k & 1)) keys.push_back({u, v, t.patch});
+    const std::vector<int32_t> middle = middles();
+    std::size_t at = 0;
+    for (std::size_t f = 0; f < face_end_.size(); ++f) {
+      progress_.tick(f, face_end_.size());
+      for (; at < face_end_[f]; ++at) {
+        mesh_.polygons.index.push_back(side_[at].vertex);
+        const int32_t d = side_[at].diagonal;
+        if (d >= 0 && middle[d] >= 0) mesh_.polygons.index.push_back(middle[d]);
       }
-    if (keys.empty()) return;
+      mesh_.polygons.offset.push_back(mesh_.polygons.index.size());
+      mesh_.ball.push_back(c_.patches[face_patch_[f]].ball);
+    }
+  }
+
+  /// Per diagonal: the vertex in its middle, -1 if it has none.
+  std::vector<int32_t> middles() {
+    std::vector<int32_t> middle(diagonals_, -1);
+    std::vector<Key> keys;
+    std::size_t at = 0;
+    for (std::size_t f = 0; f < face_end_.size(); ++f) {
+      const std::size_t first = at;
+      for (; at < face_end_[f]; ++at) {
+        const int32_t u = side_[at].vertex,
+                      v = side_[at + 1 < face_end_[f] ? at + 1 : first].vertex;
+        if (u <= v && side_[at].diagonal >= 0)
+          keys.push_back({u, v, side_[at].diagonal, face_patch_[f]});
+      }
+    }
+    if (keys.empty()) return middle;
     for (const PatchComplex::Dart &d : c_.darts) {
       const int32_t to = c_.to(d);
-      if (d.from < to) keys.push_back({d.from, to, -1});
+      if (d.from < to) keys.push_back({d.from, to, -1, -1});
     }
     progress_.tick_slow(1, 1);
-    std::sort(keys.begin(), keys.end());
+    std::sort(keys.begin(), keys.end(), [](const Key &a, const Key &b) {
+      if (a.low != b.low) return a.low < b.low;
+      return a.high != b.high ? a.high < b.high : a.diagonal < b.diagonal;
+    });
     progress_.tick_slow(1, 1);
-    std::vector<std::pair<Key, int32_t>> middle; // sides that are split, and their middles
-    for (std::size_t i = 1; i < keys.size(); ++i)
-      if (keys[i].patch >= 0 && keys[i].same(keys[i - 1]))
-        middle.emplace_back(keys[i], middle_of(keys[i]));
-    if (middle.empty()) return;
-    std::vector<Triangle> old;
-    old.swap(triangles_);
-    for (const Triangle &t : old) {
-      int32_t m[3];
-      for (int k = 0; k < 3; ++k) {
-        const int32_t u = t.vertex[k], v = t.vertex[(k + 1) % 3];
-        const Key key{std::min(u, v), std::max(u, v), t.patch};
-        const auto found = std::lower_bound(
-            middle.begin(), middle.end(), key,
-            [](const std::pair<Key, int32_t> &a, const Key &b) { return a.first < b; });
-        const bool split = found != middle.end() && !(key < found->first);
-        m[k] = split && (t.diagonals >> k & 1) ? found->second : -1;
-      }
-      emit(t.vertex[0], t.vertex[1], t.vertex[2], m[0], m[1], m[2], t.patch);
+    for (std::size_t i = 1; i < keys.size(); ++i) {
+      const Key &k = keys[i];
+      if (k.diagonal >= 0 && k.low == keys[i - 1].low && k.high == keys[i - 1].high &&
+          middle[k.diagonal] < 0)
+        middle[k.diagonal] = middle_of(k);
     }
+    return middle;
   }
 
   int32_t middle_of(const Key &key) {
@@ -245,21 +357,6 @@ private:
     const Vec3 c = center_of(ball);
     const Vec3 d = unit((mesh_.position[key.low] - c) + (mesh_.position[key.high] - c));
     return add_vertex(ball, d);
-  }
-
-  void emit(int32_t a, int32_t b, int32_t c, int32_t ab, int32_t bc, int32_t ca, int32_t patch) {
-    if (ab >= 0) {
-      emit(a, ab, c, -1, -1, ca, patch);
-      emit(ab, b, c, -1, bc, -1, patch);
-    } else if (bc >= 0) {
-      emit(b, bc, a, -1, -1, -1, patch);
-      emit(bc, c, a, -1, ca, -1, patch);
-    } else if (ca >= 0) {
-      emit(c, ca, b, -1, -1, -1, patch);
-      emit(ca, a, b, -1, -1, -1, patch);
-    } else {
-      triangles_.push_back({{a, b, c}, patch, 0});
-    }
   }
 
   const PatchComplex &c_;
@@ -273,7 +370,11 @@ private:
   std::vector<uint8_t> done_;
   std::vector<uint32_t> edge_first_; // per ball, in edge_
   std::vector<int32_t> edge_;
-  std::vector<Triangle> triangles_;
+  std::vector<double> run_;
+  int32_t diagonals_ = 0;
+  std::vector<Side> side_; // of faces, one after the other
+  std::vector<std::size_t> face_end_;
+  std::vector<int32_t> face_patch_;
 };
 
 } // namespace

@@ -7,9 +7,11 @@
 // and only then does each patch become a polygon (patch_mesh.h).
 #include "ball_surface/singular_points.h"
 
+#include "ball_surface/close_narrow.h"
 #include "ball_surface/merge_points.h"
-#include "ball_surface/patch_complex.h"
+#include "ball_surface/patch_area.h"
 #include "ball_surface/patch_mesh.h"
+#include "ball_surface/replace_needles.h"
 #include "core/error.h"
 #include "core/progress.h"
 #include "core/tolerances.h"
@@ -50,7 +52,17 @@ Merged merged_complex(const UnionInput &set, const PatchOptions &options, double
   TouchedSamples touched;
   if (set.model && !options.bridged)
     touched = {&set.model->ball_samples, &set.number, &set.model->samples.position};
-  m.merged = merge_points(m.complex, m.shape, options, touched, m.sample, progress);
+  const std::vector<int32_t> sample = touched.of(m.complex, m.shape, progress);
+  std::vector<double> reach;
+  if (options.narrow > 0) reach = spacings(m.complex, m.shape, progress);
+  for (std::size_t b = 0; b < reach.size(); ++b)
+    reach[b] = std::min(options.narrow * reach[b],
+                        std::min(options.bulge, kMostNarrow) * m.shape.site[b].r);
+  ComplexEditor editor(m.complex, m.shape, sample);
+  m.merged = merge_points(editor, sample, options, progress);
+  if (options.narrow > 0) close_narrow(editor, reach, options.bulge, progress);
+  editor.split_double_arcs(progress);
+  m.sample = editor.finish();
   return m;
 }
 
@@ -133,7 +145,10 @@ void fill_vertices(Surface &surface, const PatchMesh &mesh, const UnionInput &se
 
 Surface singular_point_surface(const UnionInput &set, const vbm_ball_surface_options &options,
                                Progress &progress) {
-  const PatchOptions o{options.bulge, options.bridge > 0};
+  PatchOptions o;
+  o.bulge = options.bulge;
+  o.bridged = options.bridge > 0;
+  o.narrow = options.narrow;
   progress.stage("dual shape", 0.6);
   Merged m = merged_complex(set, o, options.bridge, progress);
   progress.stage("polygons", 0.9);
@@ -141,6 +156,7 @@ Surface singular_point_surface(const UnionInput &set, const vbm_ball_surface_opt
   PatchMesh mesh = patch_mesh(m.complex, m.shape, std::move(m.sample), o, progress);
   Triangles triangles = triangulate(mesh.position, mesh.polygons, progress);
   split_polygons(mesh, m.shape, triangles);
+  if (options.narrow > 0) replace_needles(mesh, triangles, set.balls, progress);
 
   Surface surface;
   progress.stage("checking", 1);

@@ -264,16 +264,23 @@ void ring_patch(const SpherePatch &patch, const Vec3 &middle, PatchTriangles &ou
   int32_t first = 0;
   for (std::size_t l = 0; l < patch.loops.size(); ++l) {
     const std::vector<Vec3> &loop = patch.loops[l];
+    const std::size_t count = loop.size();
+    // Loops may touch: a cut's ends must not be one vertex.
+    std::size_t start = 0;
+    while (l > 0 && start + 1 < count && loop[start] == walk[0].place) ++start;
     int32_t cut = 0;
     if (l > 0) {
       cut = ~int32_t(out.points.size());
-      out.points.push_back(unit(walk[0].place + loop[0]));
+      out.points.push_back(unit(walk[0].place + loop[start]));
       walk.push_back({0, walk[0].place});
       walk.push_back({cut, out.points.back()});
     }
-    for (std::size_t i = 0; i < loop.size(); ++i) walk.push_back({first + int32_t(i), loop[i]});
+    for (std::size_t i = 0; i < count; ++i) {
+      const std::size_t k = (start + i) % count;
+      walk.push_back({first + int32_t(k), loop[k]});
+    }
     if (l > 0) {
-      walk.push_back({first, loop[0]});
+      walk.push_back({first + int32_t(start), loop[start]});
       walk.push_back({cut, out.points[~cut]});
     }
     first += int32_t(loop.size());

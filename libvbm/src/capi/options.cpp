@@ -73,6 +73,7 @@ vbm_ball_surface_options ball_surface_defaults() {
   o.bulge = 0.15;
   o.bridge = 0;
   o.shrink = 0.9;
+  o.narrow = 0.6;
   return o;
 }
 
@@ -172,6 +173,7 @@ vbm_ball_surface_options read_options(const vbm_ball_surface_options *options) {
   if (!(o.bridge >= 0 && o.bridge <= 1)) bad_option("bridge", "is outside its range 0 to 1");
   if (!(o.shrink >= 0.05 && o.shrink <= 0.99))
     bad_option("shrink", "is outside its range 0.05 to 0.99");
+  if (!(o.narrow >= 0 && o.narrow <= 1)) bad_option("narrow", "is outside its range 0 to 1");
   return o;
 }
 

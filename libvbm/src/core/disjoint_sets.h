@@ -26,6 +26,11 @@ public:
     parent_[j] = i;
     return i != j;
   }
+  /// One more member, in a set of its own.
+  int32_t add() {
+    parent_.push_back(int32_t(parent_.size()));
+    return parent_.back();
+  }
   /// Number of every member's set, counted from 0 in the order of their smallest members.
   std::vector<int32_t> numbers(std::size_t &sets) {
     std::vector<int32_t> number(parent_.size());

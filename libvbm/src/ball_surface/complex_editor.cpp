@@ -1,0 +1,361 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Surgery of maps on surfaces: arcs are contracted, patches cut in two or closed, in ways that keep
+// the surface what it is, whatever the places of its points.
+#include "ball_surface/complex_editor.h"
+
+#include "core/progress.h"
+#include "dual/orthospheres.h"
+
+#include <algorithm>
+
+namespace vbm::impl {
+
+ComplexEditor::ComplexEditor(PatchComplex &c, const DualShape &dual, std::vector<int32_t> sample)
+    : complex(c), shape(dual), place_(c.position.size()), position_(c.position), blur_(c.blur),
+      reach_(c.position.size(), 0), sample_(std::move(sample)), alive_(c.darts.size(), 1) {
+  sample_.resize(position_.size(), -1);
+  list_first_darts();
+}
+
+/// Samples keep their places, then points where three balls meet.
+int ComplexEditor::rank(int32_t v) const {
+  return sample_[v] >= 0 ? 2 : std::size_t(v) < complex.singular_points ? 1 : 0;
+}
+
+double ComplexEditor::reach_of(int32_t u, int32_t v) const {
+  const bool keep_u = rank(u) != rank(v) ? rank(u) > rank(v) : reach_[u] >= reach_[v];
+  const int32_t kept = keep_u ? u : v, moved = keep_u ? v : u;
+  return std::max(reach_[kept], distance(position_[u], position_[v]) + reach_[moved]);
+}
+
+void ComplexEditor::unite(int32_t u, int32_t v) {
+  const double reach = reach_of(u, v);
+  bool keep_u = u < v;
+  if (rank(u) != rank(v))
+    keep_u = rank(u) > rank(v);
+  else if (reach_[u] != reach_[v])
+    keep_u = reach_[u] > reach_[v];
+  else if (blur_[u] != blur_[v])
+    keep_u = blur_[u] < blur_[v];
+  const int32_t kept = keep_u ? u : v, name = std::min(u, v);
+  place_.unite(u, v);
+  position_[name] = position_[kept];
+  blur_[name] = blur_[kept];
+  sample_[name] = sample_[kept];
+  reach_[name] = reach;
+}
+
+bool ComplexEditor::contract(int32_t d) {
+  const int32_t u = from(d), v = to(d), twin = complex.darts[d].twin;
+  if (u == v) return false;
+  unite(u, v);
+  take_out(d);
+  take_out(twin);
+  look_at(complex.darts[d].patch);
+  look_at(complex.darts[twin].patch);
+  return true;
+}
+
+int32_t ComplexEditor::zip(int32_t d, int32_t e) {
+  std::vector<Dart> &darts = complex.darts;
+  unite(from(d), from(e));
+  const int32_t p = darts[d].patch, before_d = darts[d].previous, before_e = darts[e].previous;
+  const bool disk = complex.patches[p].loops == 1;
+  darts[before_d].next = e;
+  darts[e].previous = before_d;
+  darts[before_e].next = d;
+  darts[d].previous = before_e;
+  if (!disk) {
+    --complex.patches[p].loops;
+    return -1;
+  }
+  const int32_t fresh = int32_t(complex.patches.size());
+  PatchComplex::Patch second = complex.patches[p];
+  second.darts = 0;
+  for (int32_t at = e; darts[at].patch != fresh; at = darts[at].next) {
+    darts[at].patch = fresh;
+    ++second.darts;
+  }
+  // Only one side of a wide disk can be wide, and neither is where it is nearly closed.
+  second.wraps = false;
+  complex.patches[p].darts -= second.darts;
+  complex.patches.push_back(second);
+  first_.push_back(e);
+  first_[p] = d;
+  look_at(p);
+  look_at(fresh);
+  return fresh;
+}
+
+void ComplexEditor::take_out(int32_t d) {
+  Dart &dart = complex.darts[d];
+  complex.darts[dart.previous].next = dart.next;
+  complex.darts[dart.next].previous = dart.previous;
+  alive_[d] = 0;
+  --complex.patches[dart.patch].darts;
+  if (first_[dart.patch] == d) first_[dart.patch] = dart.next;
+}
+
+void ComplexEditor::list_first_darts() {
+  first_.assign(complex.patches.size(), -1);
+  for (std::size_t d = 0; d < complex.darts.size(); ++d)
+    if (alive_[d] && first_[complex.darts[d].patch] < 0)
+      first_[complex.darts[d].patch] = int32_t(d);
+}
+
+int32_t ComplexEditor::dart_of(int32_t p) {
+  // A whole loop of several may be gone: then the others' darts are looked for.
+  if (first_[p] >= 0 && (!alive_[first_[p]] || complex.darts[first_[p]].patch != p))
+    list_first_darts();
+  return first_[p];
+}
+
+void ComplexEditor::look_at(int32_t p) {
+  const PatchComplex::Patch &patch = complex.patches[p];
+  if (patch.loops == 1 && patch.darts <= 2 && patch.darts > 0) work_.push_back(p);
+}
+
+void ComplexEditor::close(double bulge, Progress &progress) {
+  while (!work_.empty()) {
+    progress.tick(1, 2);
+    const int32_t p = work_.back();
+    work_.pop_back();
+    if (complex.patches[p].loops == 1 && complex.patches[p].darts == 1)
+      fill_loop(p);
+    else if (complex.patches[p].loops == 1 && complex.patches[p].darts == 2)
+      close_mouth(p, bulge);
+  }
+}
+
+/// A disk with one arc round it becomes the point its arc begins and ends at.
+void ComplexEditor::fill_loop(int32_t p) {
+  const int32_t d = dart_of(p), t = complex.darts[d].twin, q = complex.darts[t].patch;
+  PatchComplex::Patch &other = complex.patches[q];
+  if (other.loops == 1 && other.darts == 1) return; // nothing else there: stays
+  const bool alone = complex.darts[t].next == t;    // one of several loops
+  take_out(d);
+  complex.patches[p].loops = -1;
+  const int32_t before = complex.darts[t].previous;
+  take_out(t);
+  if (alone)
+    --other.loops;
+  else
+    trim(before);
+  look_at(q);
+}
+
+/// What is left of an arc with the same patch all round it: it ends nowhere.
+void ComplexEditor::trim(int32_t d) {
+  std::vector<Dart> &darts = complex.darts;
+  while (alive_[d] && darts[d].next == darts[d].twin) {
+    const int32_t t = darts[d].twin, before = darts[d].previous;
+    PatchComplex::Patch &patch = complex.patches[darts[d].patch];
+    if (before == t) { // nothing else in this loop: the patch is whole there
+      alive_[d] = alive_[t] = 0;
+      patch.darts -= 2;
+      --patch.loops;
+      if (patch.loops == 0) patch.wraps = true;
+      return;
+    }
+    contract(d);
+    d = before;
+  }
+}
+
+/// A disk with two arcs round it becomes an arc, unless it is wide.
+void ComplexEditor::close_mouth(int32_t p, double bulge) {
+  std::vector<Dart> &darts = complex.darts;
+  const int32_t d = dart_of(p), e = darts[d].next, t = darts[d].twin, u = darts[e].twin;
+  if (t == e) { // nothing else there
+    trim(d);
+    return;
+  }
+  if (darts[t].next == u && darts[u].next == t) return; // the other's whole loop: stays
+  if (complex.patches[p].wraps) return;
+  const auto middle = [&](int32_t i) {
+    const PatchComplex::Arc &arc = complex.arcs[darts[i].arc];
+    return piece_point(i, (arc.from + arc.to) / 2);
+  };
+  const double most = std::min(bulge, kMostNarrow) * shape.site[complex.patches[p].ball].r;
+  if (distance(middle(d), middle(e)) > most) return;
+  take_out(d);
+  take_out(e);
+  complex.patches[p].loops = -1;
+  darts[t].twin = u;
+  darts[u].twin = t;
+  trim(t);
+  trim(u);
+}
+
+Vec3 ComplexEditor::piece_point(int32_t d, double angle) {
+  return piece_point(d, angle, PatchComplex::point(complex.circle(complex.darts[d]), angle));
+}
+
+Vec3 ComplexEditor::piece_point(int32_t d, double angle, const Vec3 &p) {
+  const Dart &dart = complex.darts[d];
+  const PatchComplex::Arc &arc = complex.arcs[dart.arc];
+  const int32_t begin = dart.forward ? from(d) : to(d), end = dart.forward ? to(d) : from(d);
+  const double span = arc.to - arc.from, w = span > 0 ? (angle - arc.from) / span : 0;
+  const Vec3 moved_begin = position_[begin] - arc.begin, moved_end = position_[end] - arc.end;
+  return p + moved_begin * (1 - w) + moved_end * w;
+}
+
+int32_t ComplexEditor::add_vertex(const Vec3 &p) {
+  position_.push_back(p);
+  blur_.push_back(0);
+  reach_.push_back(0);
+  sample_.push_back(-1);
+  return place_.add();
+}
+
+/// Two copies of an arc, the part a dart begins with and the rest.
+void ComplexEditor::divide(PatchComplex::Arc &near, PatchComplex::Arc &far, bool forward,
+                           double angle) const {
+  const Vec3 p = PatchComplex::point(complex.circles[near.circle], angle);
+  PatchComplex::Arc &low = forward ? near : far, &high = forward ? far : near;
+  low.to = high.from = angle;
+  low.end = high.begin = p;
+}
+
+int32_t ComplexEditor::split(int32_t d, double angle) {
+  std::vector<Dart> &darts = complex.darts;
+  const int32_t t = darts[d].twin, d2 = int32_t(darts.size()), t2 = d2 + 1;
+  const int32_t m = add_vertex(piece_point(d, angle));
+  PatchComplex::Arc near = complex.arcs[darts[d].arc], far = near;
+  const double span = near.to - near.from;
+  const double part =
+      span > 0 ? (darts[d].forward ? angle - near.from : near.to - angle) / span : 0.5;
+  divide(near, far, darts[d].forward, angle);
+  const int32_t near_arc = int32_t(complex.arcs.size());
+  complex.arcs.push_back(near);
+  complex.arcs.push_back(far);
+  // d: u to m, d2: m to v; t: v to m, t2: m to u. Twins of a closed mouth keep the arc they were
+  // on for what they know of it, but it is the same piece from here on.
+  const bool along = complex.darts[t].forward == !complex.darts[d].forward &&
+                     complex.darts[t].arc == complex.darts[d].arc;
+  Dart second = darts[d], back = darts[t];
+  second.from = back.from = m;
+  second.twin = t;
+  back.twin = d;
+  darts[d].arc = near_arc;
+  second.arc = near_arc + 1;
+  if (along) {
+    back.arc = near_arc;
+    darts[t].arc = near_arc + 1;
+  } else {
+    const PatchComplex::Arc whole = complex.arcs[darts[t].arc];
+    // As far along it, from t's end.
+    const double share = part < 1e-9 || part > 1 - 1e-9 ? 0.5 : part;
+    const double there = darts[t].forward ? whole.to - share * (whole.to - whole.from)
+                                          : whole.from + share * (whole.to - whole.from);
+    PatchComplex::Arc first = whole, last = whole; // t's: to the vertex, and on from there
+    divide(first, last, darts[t].forward, there);
+    darts[t].arc = int32_t(complex.arcs.size());
+    back.arc = darts[t].arc + 1;
+    complex.arcs.push_back(first);
+    complex.arcs.push_back(last);
+  }
+  second.previous = d;
+  back.previous = t;
+  darts.push_back(second);
+  darts.push_back(back);
+  alive_.resize(darts.size(), 1);
+  darts[darts[d].next].previous = d2;
+  darts[d].next = d2;
+  darts[d].twin = t2;
+  darts[darts[t].next].previous = t2;
+  darts[t].next = t2;
+  darts[t].twin = d2;
+  ++complex.patches[darts[d].patch].darts;
+  ++complex.patches[darts[t].patch].darts;
+  return m;
+}
+
+void ComplexEditor::join(int32_t d) {
+  // before: u to w, d: w to v; on the other side t: v to w, after: w to u.
+  std::vector<Dart> &darts = complex.darts;
+  const int32_t before = darts[d].previous, t = darts[d].twin, after = darts[before].twin;
+  const PatchComplex::Arc &a = complex.arcs[darts[before].arc], &b = complex.arcs[darts[d].arc];
+  if (a.circle == b.circle && darts[before].forward == darts[d].forward) {
+    const PatchComplex::Arc &low = a.from < b.from ? a : b, &high = a.from < b.from ? b : a;
+    const PatchComplex::Arc both{a.circle, low.from, high.to, low.begin, high.end};
+    if (darts[t].arc == darts[d].arc) darts[t].arc = int32_t(complex.arcs.size());
+    darts[before].arc = int32_t(complex.arcs.size());
+    complex.arcs.push_back(both);
+  }
+  take_out(d);
+  take_out(after);
+  darts[before].twin = t;
+  darts[t].twin = before;
+}
+
+void ComplexEditor::split_double_arcs(Progress &progress) {
+  struct Key {
+    int32_t low, high, dart;
+  };
+  std::vector<Key> keys;
+  for (std::size_t d = 0; d < complex.darts.size(); ++d) {
+    if (!alive_[d] || complex.darts[d].twin < int32_t(d)) continue;
+    const int32_t u = from(int32_t(d)), v = to(int32_t(d));
+    keys.push_back({std::min(u, v), std::max(u, v), int32_t(d)});
+  }
+  progress.tick_slow(2, 3);
+  std::sort(keys.begin(), keys.end(), [](const Key &a, const Key &b) {
+    if (a.low != b.low) return a.low < b.low;
+    return a.high != b.high ? a.high < b.high : a.dart < b.dart;
+  });
+  const auto halve = [&](int32_t d) {
+    const PatchComplex::Arc &arc = complex.arcs[complex.darts[d].arc];
+    split(d, (arc.from + arc.to) / 2);
+  };
+  for (std::size_t k = 0; k < keys.size(); ++k) {
+    progress.tick(2 * keys.size() + k, 3 * keys.size());
+    const Key &key = keys[k];
+    const bool loop = key.low == key.high;
+    const bool again = k > 0 && keys[k - 1].low == key.low && keys[k - 1].high == key.high;
+    if (loop) halve(key.dart);
+    if (loop || again) halve(key.dart);
+  }
+}
+
+std::vector<int32_t> ComplexEditor::finish() {
+  PatchComplex &c = complex;
+  std::vector<int32_t> dart(c.darts.size(), -1), patch(c.patches.size(), -1);
+  std::size_t patches = 0, darts = 0;
+  for (std::size_t p = 0; p < c.patches.size(); ++p) {
+    if (c.patches[p].loops < 0) continue;
+    patch[p] = int32_t(patches);
+    c.patches[patches++] = c.patches[p];
+  }
+  c.patches.resize(patches);
+  std::vector<uint8_t> used(position_.size(), 0);
+  for (std::size_t d = 0; d < c.darts.size(); ++d)
+    if (alive_[d]) {
+      dart[d] = int32_t(darts++);
+      used[from(int32_t(d))] = 1;
+    }
+  std::vector<int32_t> vertex(position_.size(), -1), sample;
+  c.position.clear();
+  for (std::size_t v = 0; v < position_.size(); ++v) {
+    if (!used[v]) continue;
+    vertex[v] = int32_t(c.position.size());
+    c.position.push_back(position_[v]);
+    sample.push_back(sample_[v]);
+  }
+  for (std::size_t d = 0; d < dart.size(); ++d) {
+    if (!alive_[d]) continue;
+    Dart moved = c.darts[d];
+    moved.from = vertex[from(int32_t(d))];
+    moved.next = dart[moved.next];
+    moved.previous = dart[moved.previous];
+    moved.twin = dart[moved.twin];
+    moved.patch = patch[moved.patch];
+    c.darts[dart[d]] = moved;
+  }
+  c.darts.resize(darts);
+  c.blur.clear();
+  c.code.clear();
+  return sample;
+}
+
+} // namespace vbm::impl

@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Lawson's flips, of needles only: every other triangle is as its ball's patch has it. Every flip
+// shortens an edge, so that they come to an end.
+#include "ball_surface/flip_needles.h"
+
+#include "core/progress.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace vbm::impl {
+namespace {
+
+/// Squared sine of the smallest angle of a triangle that is a needle: of 15 degrees.
+constexpr double kNeedle = 0.067;
+
+/// Share of the radius.
+constexpr double kDeep = 0.02;
+
+class Flipping {
+public:
+  Flipping(const std::vector<Vec3> &position, const std::vector<Ball> &balls,
+           std::vector<std::array<int32_t, 3>> &triangles, std::vector<int32_t> &ball,
+           Progress &progress)
+      : position_(position), balls_(balls), t_(triangles), ball_(ball), progress_(progress),
+        moved_(triangles.size(), 0) {}
+
+  std::vector<uint8_t> run() {
+    std::vector<int32_t> work;
+    for (std::size_t i = t_.size(); i-- > 0;)
+      if (is_bad(int32_t(i))) work.push_back(int32_t(i));
+    if (work.empty()) return std::move(moved_);
+    find_twins();
+    while (!work.empty()) {
+      progress_.tick(1, 1);
+      const int32_t i = work.back();
+      work.pop_back();
+      if (!is_bad(i)) continue;
+      for (int k = 0; k < 3; ++k) {
+        const int32_t j = twin_[3 * i + k] / 3;
+        if (!flip(3 * i + k)) continue;
+        work.push_back(j);
+        work.push_back(i);
+        break;
+      }
+    }
+    return std::move(moved_);
+  }
+
+private:
+  /// Squared sine of the smallest angle, 0 of a triangle without an area.
+  double thinness(const std::array<int32_t, 3> &t) const {
+    return thinness(position_[t[0]], position_[t[1]], position_[t[2]]);
+  }
+  static double thinness(const Vec3 &a, const Vec3 &b, const Vec3 &c) {
+    const Vec3 n = cross(b - a, c - a);
+    double e[3] = {dot(b - a, b - a), dot(c - b, c - b), dot(a - c, a - c)};
+    std::sort(e, e + 3);
+    const double product = e[1] * e[2];
+    return product > 0 ? dot(n, n) / product : 0;
+  }
+
+  /// Whether it is a needle, faces its ball, or has an edge that is far from it for its size.
+  bool is_bad(int32_t i) const {
+    const Vec3 &a = position_[t_[i][0]], &b = position_[t_[i][1]], &c = position_[t_[i][2]];
+    if (thinness(a, b, c) < kNeedle || faces_ball(i, t_[i][0], t_[i][1], t_[i][2])) return true;
+    const double far = kDeep * balls_[ball_[i]].radius;
+    return depth((a + b) * 0.5, i, i) > far || depth((b + c) * 0.5, i, i) > far ||
+           depth((c + a) * 0.5, i, i) > far;
+  }
+
+  int32_t from(int32_t h) const { return t_[h / 3][h % 3]; }
+  static int32_t next(int32_t h) { return h - h % 3 + (h + 1) % 3; }
+
+  void find_twins() {
+    std::vector<uint32_t> first(position_.size() + 1, 0);
+    for (const auto &t : t_)
+      for (int32_t v : t) ++first[v + 1];
+    for (std::size_t v = 0; v < position_.size(); ++v) first[v + 1] += first[v];
+    std::vector<int32_t> out(3 * t_.size());
+    std::vector<uint32_t> at(first.begin(), first.end() - 1);
+    for (std::size_t h = 0; h < out.size(); ++h) out[at[from(int32_t(h))]++] = int32_t(h);
+    twin_.assign(out.size(), -1);
+    for (std::size_t h = 0; h < out.size(); ++h) {
+      progress_.tick(h, out.size());
+      const int32_t u = from(int32_t(h)), v = from(next(int32_t(h)));
+      for (uint32_t k = first[v]; k < first[v + 1]; ++k)
+        if (from(next(out[k])) == u) twin_[h] = out[k];
+    }
+  }
+
+  bool are_joined(int32_t h, int32_t v) const { // h begins at the other
+    int32_t at = h;
+    do {
+      if (from(next(at)) == v || from(next(next(at))) == v) return true;
+      at = next(twin_[at]);
+    } while (at != h);
+    return false;
+  }
+
+  /// How far a place is from the surface of two balls.
+  double depth(const Vec3 &x, int32_t i, int32_t j) const {
+    const Ball &a = balls_[ball_[i]], &b = balls_[ball_[j]];
+    return std::fabs(std::max(a.radius - distance(x, a.center), b.radius - distance(x, b.center)));
+  }
+
+  /// Computed from the same corner whichever way it is asked, so that it is the same always.
+  bool faces_ball(int32_t i, int32_t a, int32_t b, int32_t c) const {
+    while (a > b || a > c) {
+      std::swap(a, b);
+      std::swap(b, c);
+    }
+    const Vec3 &p = position_[a], &q = position_[b], &r = position_[c];
+    return dot(cross(q - p, r - p), p + q + r - balls_[ball_[i]].center * 3.0) < 0;
+  }
+
+  bool flip(int32_t h) {
+    const int32_t g = twin_[h], i = h / 3, j = g / 3;
+    const int32_t h1 = next(h), h2 = next(h1), g1 = next(g), g2 = next(g1);
+    const int32_t a = from(h), b = from(g), c = from(h2), d = from(g2);
+    if (c == d) return false;
+    const Vec3 &pa = position_[a], &pb = position_[b], &pc = position_[c], &pd = position_[d];
+    // Triangles that face their ball are wrong whatever else they are.
+    const int wrong = faces_ball(i, a, b, c) + faces_ball(j, b, a, d),
+              left = faces_ball(i, c, a, d) + faces_ball(j, d, b, c);
+    if (left > wrong) return false;
+    if (left == wrong) {
+      if (distance(pc, pd) >= distance(pa, pb)) return false;
+      const double thin = std::min(thinness(pa, pb, pc), thinness(pb, pa, pd)),
+                   new_thin = std::min(thinness(pc, pa, pd), thinness(pd, pb, pc)),
+                   deep = depth((pa + pb) * 0.5, i, j), new_deep = depth((pc + pd) * 0.5, i, j);
+      if (new_deep > deep) return false;
+      const bool flatter = 2 * new_deep < deep && new_thin > std::min(thin, kNeedle);
+      if (!flatter && (thin >= kNeedle || new_thin <= thin)) return false;
+    }
+    if (are_joined(h2, d)) return false;
+    // i: c a d, j: d b c.
+    const int32_t ca = twin_[h2], ad = twin_[g1], db = twin_[g2], bc = twin_[h1];
+    t_[i] = {c, a, d};
+    t_[j] = {d, b, c};
+    link(3 * i, ca);
+    link(3 * i + 1, ad);
+    link(3 * j, db);
+    link(3 * j + 1, bc);
+    link(3 * i + 2, 3 * j + 2);
+    moved_[i] = moved_[j] = 1;
+    return true;
+  }
+
+  void link(int32_t h, int32_t g) {
+    twin_[h] = g;
+    twin_[g] = h;
+  }
+
+  const std::vector<Vec3> &position_;
+  const std::vector<Ball> &balls_;
+  std::vector<std::array<int32_t, 3>> &t_;
+  std::vector<int32_t> &ball_;
+  Progress &progress_;
+  std::vector<uint8_t> moved_;
+  std::vector<int32_t> twin_; // of half-edges 3 * triangle + side
+};
+
+} // namespace
+
+std::vector<uint8_t> flip_needles(const std::vector<Vec3> &position, const std::vector<Ball> &balls,
+                                  std::vector<std::array<int32_t, 3>> &triangles,
+                                  std::vector<int32_t> &ball, Progress &progress) {
+  return Flipping(position, balls, triangles, ball, progress).run();
+}
+
+} // namespace vbm::impl

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The theorem of Gauss and Bonnet: a part of a sphere is as large as its border turns less than a
+// plane one's would.
+#include "ball_surface/patch_area.h"
+
+#include "core/progress.h"
+#include "dual/orthospheres.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace vbm::impl {
+namespace {
+
+constexpr double kPi = 3.14159265358979323846;
+
+} // namespace
+
+double loop_angle(const PatchComplex &c, const DualShape &shape, int32_t first) {
+  const Site &ball = shape.site[c.patches[c.darts[first].patch].ball];
+  const Vec3 middle = center_of(ball);
+  double sum = 2 * kPi;
+  int32_t at = first;
+  do {
+    const PatchComplex::Dart &d = c.darts[at], &next = c.darts[d.next];
+    const PatchComplex::Arc &arc = c.arcs[d.arc];
+    const PatchComplex::Circle &circle = c.circle(d);
+    sum += (d.forward ? circle.height_b : circle.height_a) / ball.r * (arc.to - arc.from);
+    if (circle.edge != c.circle(next).edge || d.next == at) {
+      const Vec3 u = unit(c.position[next.from] - middle);
+      // Toward the other balls.
+      const Vec3 p = d.forward ? -circle.axis : circle.axis,
+                 q = next.forward ? -c.circle(next).axis : c.circle(next).axis;
+      const Vec3 g = p - u * dot(p, u), h = q - u * dot(q, u);
+      sum -= std::atan2(length(cross(g, h)), dot(g, h));
+    }
+    at = d.next;
+  } while (at != first);
+  return sum;
+}
+
+std::vector<double> spacings(const PatchComplex &c, const DualShape &shape, Progress &progress) {
+  const std::size_t balls = shape.vertex.size();
+  std::vector<double> area(balls, 0), sum(balls, 0);
+  std::vector<int32_t> count(balls, 1);
+  for (const PatchComplex::Patch &patch : c.patches)
+    area[patch.ball] -= patch.loops == 0 ? -4 * kPi : 4 * kPi * (patch.loops - 1);
+  std::vector<uint8_t> done(c.darts.size(), 0);
+  for (std::size_t d = 0; d < c.darts.size(); ++d) {
+    progress.tick(d, c.darts.size());
+    if (done[d]) continue;
+    area[c.patches[c.darts[d].patch].ball] += loop_angle(c, shape, int32_t(d));
+    for (int32_t at = int32_t(d); !done[at]; at = c.darts[at].next) done[at] = 1;
+  }
+  for (std::size_t b = 0; b < balls; ++b)
+    sum[b] = area[b] = std::max(0.0, area[b]) * shape.site[b].r * shape.site[b].r;
+  for (const DualShape::Edge &e : shape.edges) {
+    sum[e.a] += area[e.b];
+    sum[e.b] += area[e.a];
+    ++count[e.a];
+    ++count[e.b];
+  }
+  for (std::size_t b = 0; b < balls; ++b) sum[b] = std::sqrt(sum[b] / count[b]);
+  return sum;
+}
+
+} // namespace vbm::impl
