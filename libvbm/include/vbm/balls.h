@@ -68,7 +68,7 @@ typedef struct vbm_ball_surface_options {
   double narrow;  /* singular points: what is bare of a ball and narrower than this share of the
                      distance between faces (the root of the area there is for a ball), than `bulge`
                      and than 0.15 radii, is closed: its neighbours' faces meet. Without it balls in
-                     a tube make faces a hundred times longer than wide; default 0.6, 0 to 1         */
+                     a tube make faces a hundred times longer than wide; default 0.4, 0 to 1         */
 } vbm_ball_surface_options;
 
 VBM_API void vbm_ball_surface_options_init(vbm_ball_surface_options *options, size_t struct_size);

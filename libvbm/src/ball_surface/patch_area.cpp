@@ -27,12 +27,14 @@ double loop_angle(const PatchComplex &c, const DualShape &shape, int32_t first) 
     const PatchComplex::Circle &circle = c.circle(d);
     sum += (d.forward ? circle.height_b : circle.height_a) / ball.r * (arc.to - arc.from);
     if (circle.edge != c.circle(next).edge || d.next == at) {
-      const Vec3 u = unit(c.position[next.from] - middle);
-      // Toward the other balls.
-      const Vec3 p = d.forward ? -circle.axis : circle.axis,
-                 q = next.forward ? -c.circle(next).axis : c.circle(next).axis;
-      const Vec3 g = p - u * dot(p, u), h = q - u * dot(q, u);
-      sum -= std::atan2(length(cross(g, h)), dot(g, h));
+      const PatchComplex::Circle &after = c.circle(next);
+      const Vec3 u = (c.position[next.from] - middle) * (1 / ball.r);
+      // The angle between the planes through the corner's direction and those to the other balls.
+      const Vec3 &p = circle.axis, &q = after.axis;
+      const double up = (d.forward ? circle.height_b : circle.height_a) / ball.r,
+                   uq = (next.forward ? after.height_b : after.height_a) / ball.r;
+      const double same = d.forward == next.forward ? 1 : -1;
+      sum -= std::atan2(std::fabs(dot(u, cross(p, q))), same * dot(p, q) - up * uq);
     }
     at = d.next;
   } while (at != first);

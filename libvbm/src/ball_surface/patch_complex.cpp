@@ -124,6 +124,11 @@ private:
 
   void make_arcs() {
     const std::size_t count = shape_.edges.size();
+    // Three arcs meet in every singular point; most are one piece.
+    const std::size_t arcs = out_.singular_points * 3 / 2;
+    out_.circles.reserve(arcs);
+    out_.arcs.reserve(arcs + arcs / 4);
+    out_.darts.reserve(2 * arcs + arcs / 2);
     for (std::size_t e = 0; e < count; ++e) {
       progress_.tick(count + e, 4 * count);
       const DualShape::Edge &edge = shape_.edges[e];
@@ -227,14 +232,11 @@ private:
     const PatchComplex::Circle &circle = out_.circles.back();
     const int32_t number = int32_t(out_.circles.size()) - 1;
     int32_t at = first;
-    Vec3 here = PatchComplex::point(circle, begin);
     for (int k = 0; k < n; ++k) {
       const double from = begin + (end - begin) * k / n, to = begin + (end - begin) * (k + 1) / n;
       const int32_t arc = int32_t(out_.arcs.size()), dart = int32_t(out_.darts.size());
-      const Vec3 next = PatchComplex::point(circle, to);
-      out_.arcs.push_back({number, from, to, here, next});
-      const int32_t there = k + 1 == n ? last : add_vertex(next);
-      here = next;
+      const int32_t there = k + 1 == n ? last : add_vertex(PatchComplex::point(circle, to));
+      out_.arcs.push_back({number, from, to, out_.position[at], out_.position[there]});
       out_.darts.push_back({there, -1, -1, dart + 1, -1, arc, false});
       out_.darts.push_back({at, -1, -1, dart, -1, arc, true});
       if (k > 0) {

@@ -143,7 +143,7 @@ constexpr vbm_param kParams[] = {
      "ratio", VBM_PARAM_FLOAT, 0, nullptr, nullptr, nullptr, 0.9, 0.05, 0.99},
     {sizeof(vbm_param), "surface_from_balls", "narrow", "Close Narrow",
      "Close what is narrower than this share of the distance between faces, as far as Bulge allows",
-     "ratio", VBM_PARAM_FLOAT, 0, nullptr, nullptr, nullptr, 0.6, 0, 1},
+     "ratio", VBM_PARAM_FLOAT, 0, nullptr, nullptr, nullptr, 0.4, 0, 1},
     {sizeof(vbm_param), "cluster", "sphericity", "Sphericity",
      "How much of a ball that replaces others one of them fills, by radius, at least", "ratio",
      VBM_PARAM_FLOAT, 0, nullptr, nullptr, nullptr, 0.95, 0.01, 1},
