@@ -1,7 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The singular-point surface: topology against GUDHI's alpha complex, sizes, positions."""
 
+import importlib.util
 import math
+import pathlib
 
 import models
 import numpy as np
@@ -144,6 +146,39 @@ def test_sheets_and_fans():
     make(hub, np.full(8, 0.6))
 
 
+@pytest.mark.parametrize("name", ["apple", "mushroom", "heart", "two-holed torus"])
+def test_models(name):
+    """The four of Table 8.2, from fewer balls: topology, faces, volume."""
+    samples = pathlib.Path(__file__).resolve().parents[2] / "samples/ball_surfaces"
+    spec = importlib.util.spec_from_file_location("ball_shapes", samples / "shapes.py")
+    shapes = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(shapes)
+    field, genus = shapes.SHAPES[name]
+    points, normals = shapes.samples(field, 1500)
+    model = vbm.build(points, normals=normals)
+    centers, radii = model.centers[: model.inner_count], model.radii[: model.inner_count]
+    surface = make(centers, radii, [1, genus, 0])
+    assert union_betti(centers, radii) == [1, genus, 0]
+    assert 0.9 < surface.report.polygons / len(radii) < 2.5  # of so few, the mushroom has most
+    exact = vbm.union_measures(centers, radii).volume
+    assert 0.95 * exact < surface.report.volume < exact
+
+
+def test_narrow_closes_strips_in_a_tube():
+    """Balls with their centres nearly on a circle, bare in strips round the tube: without closing these the surface
+    folds into it."""
+    turn = np.linspace(0, 2 * np.pi, 600, endpoint=False)
+    rng = np.random.default_rng(5)
+    centers = np.stack([np.cos(turn), np.sin(turn), 0 * turn], axis=1) + rng.uniform(-0.002, 0.002, (600, 3))
+    radii = 0.3 + rng.uniform(-0.0005, 0.0005, 600)
+    exact = vbm.union_measures(centers, radii).volume
+    surface = make(centers, radii, [1, 1, 0])
+    assert 0.9 * exact < surface.report.volume < exact
+    assert surface.report.gap_max < 0.15 * 0.3 * 2
+    plain = make(centers, radii, [1, 1, 0], narrow=0)
+    assert surface.report.polygons < plain.report.polygons / 2
+
+
 def test_cavities():
     shell = models.sphere(400)
     make(shell, np.full(400, 0.2), [1, 0, 1])
@@ -202,7 +237,8 @@ def test_bad_input():
         vbm.surface_from_balls(np.zeros((2, 3)), [0, 0])
     surface = vbm.surface_from_balls([[0, 0, 0], [5, 0, 0]], [1, 0])
     assert surface.report.hidden_balls == 1 and any("left out" in n for n in surface.notes)
-    for options in ({"bulge": 0}, {"bulge": 2}, {"bridge": -1}, {"bridge": np.nan}):
+    for options in ({"bulge": 0}, {"bulge": 2}, {"bridge": -1}, {"bridge": np.nan}, {"narrow": -0.1},
+                    {"narrow": 1.1}):
         with pytest.raises(vbm.ArgumentError):
             vbm.surface_from_balls([[0, 0, 0]], [1], **options)
     with pytest.raises(vbm.ArgumentError):
