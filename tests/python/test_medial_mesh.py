@@ -106,6 +106,10 @@ def test_every_count_has_the_axis_s_topology(shape, axis):
         assert pockets(mesh) <= numbers[2], count
 
 
+def test_few_balls_reach_every_end(axis):
+    assert axis.simplify(10).report.error_max < 0.15
+
+
 def test_curve_skeleton_has_the_axis_s_topology(shape, axis):
     numbers = shape[1]
     mesh = axis.curve_skeleton()
