@@ -3,7 +3,7 @@
 
     blender --background --factory-startup --python figures.py -- OUT [FIGURE...]
 
-FIGURE is one of bunny, bird, ear, bone, fan; all by default. Every figure is a picture of a row or two; the
+FIGURE is one of bunny, bird, ear, bone, fan, graph; all by default. Every figure is a picture of a row or two; the
 table of times, as Table 7.1, goes to OUT/table.md and is printed. samples/simplification/run.sh builds
 what is missing and calls it."""
 
@@ -69,7 +69,7 @@ def topology(surface):
 
 
 def bunny(out):
-    """Figures 7.10 and 7.11: three levels of detail, and the middle one's topology graph."""
+    """Figure 7.10: three levels of detail."""
     scene.clear()
     shape = Timed("Bunny", shapes.bunny())
     top = [(scene.surface(shape.model.surface()), "the bunny")]
@@ -79,14 +79,9 @@ def bunny(out):
         shape.prune(*common, ("volume", share, 1))
         top.append((scene.surface(shape.surface()), f"volume shares to {100 * share:.0f} % removed"))
         below.append((scene.axis(shape.axis), parts(shape.axis)))
-        if share == 0.05:
-            graph = shape.axis.topology_graph(), shape.axis.parts
         while shape.axis.undo():
             pass
     scene.render_rows([top, below], os.path.join(out, "bunny.png"))
-    scene.clear()
-    shown = [(scene.surface(shape.model.surface()), "the bunny"), (scene.graph(*graph), "topology graph")]
-    scene.render_rows([shown], os.path.join(out, "bunny_graph.png"), width=1200)
 
 
 def bird(out):
@@ -127,12 +122,12 @@ def bone(out):
     shape = Timed("Bone", shapes.bone())
     whole = shape.model.surface()
     top = [(scene.surface(whole), topology(whole))]
-    below = [(scene.axis(shape.axis), parts(shape.axis))]
+    below = [(scene.axis(shape.axis, 0.006), parts(shape.axis))]
     shape.prune(("triangles", 5, 3), ("volume", 0.05, 3))
     simple = shape.surface()
     top.append((scene.surface(simple), topology(simple)))
-    below.append((scene.axis(shape.axis), parts(shape.axis)))
-    scene.render_rows([top, below], os.path.join(out, "bone.png"))
+    below.append((scene.axis(shape.axis, 0.006), parts(shape.axis)))
+    scene.render_rows([top, below], os.path.join(out, "bone.png"), turn=25)
 
 
 def fan(out):
@@ -147,6 +142,24 @@ def fan(out):
     scene.render_rows([row], os.path.join(out, "fan.png"), turn=25)
 
 
+def graph(out):
+    """Figures 7.8 and 7.11: topology graphs over the shapes they tell of."""
+    scene.clear()
+    row = []
+    for made, steps in ((shapes.fan(bpy), [("triangles", 5, 2), ("volume", 0.03, 2)]),
+                        (shapes.bunny(), [("triangles", 5, 2), ("volume", 0.01, 1), ("volume", 0.05, 1)]),
+                        (shapes.bone(), [("triangles", 5, 3), ("volume", 0.05, 3)])):
+        function, arguments = made
+        model = getattr(vbm, function)(**arguments)
+        axis = model.medial_axis()
+        for measure, threshold, times in steps:
+            axis.prune(iterations=times, **{measure: threshold})
+        shown, surface = axis.topology_graph(), axis.surface()
+        nodes = len(shown["nodes"])
+        row.append((scene.graph(shown, surface), f"{parts(axis)}, {nodes} contact curve" + "s" * (nodes != 1)))
+    scene.render_rows([row], os.path.join(out, "graph.png"), turn=25)
+
+
 def table():
     lines = ["| Model | Points | Axis (s) | Pruning (s) | Surface (s) |", "| --- | ---: | ---: | ---: | ---: |"]
     for shape in Timed.rows:
@@ -156,7 +169,7 @@ def table():
     return "\n".join(lines) + "\n"
 
 
-FIGURES = {"bunny": bunny, "bird": bird, "ear": ear, "bone": bone, "fan": fan}
+FIGURES = {"bunny": bunny, "bird": bird, "ear": ear, "bone": bone, "fan": fan, "graph": graph}
 
 
 def main(out, *names):

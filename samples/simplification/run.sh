@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Makes the figures of the thesis's chapter 7 again, in Blender, without a window; they lie in
 # out/simplification.
-#   samples/simplification/run.sh [FIGURE...]     bunny bird ear bone fan; default: all
+#   samples/simplification/run.sh [FIGURE...]     bunny bird ear bone fan graph; default: all
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 libvbm/cmake/apt_install.sh samples/packages.txt

@@ -13,6 +13,9 @@ sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "../
 import picture  # noqa: E402
 
 
+GLASS = (0.62, 0.66, 0.72, 0.3)  # the last: how little light goes through
+
+
 def clear():
     bpy.ops.wm.read_factory_settings(use_empty=True)
 
@@ -40,14 +43,18 @@ def surface(shape):
     return obj
 
 
-def axis(shape, kept=None):
-    """The axis, coloured by part; curves are drawn as thin tubes."""
+def axis(shape, thickness=0.0):
+    """The axis, coloured by part; curves are drawn as thin tubes. Sheets seen from the side want a thickness, a
+    share of the axis's size."""
     vertices, triangles = np.asarray(shape.vertices), np.asarray(shape.triangles)
     part = np.asarray(shape.triangle_part)
     obj = _mesh("Axis", vertices, triangles)
     colors = np.array([part_color(p) for p in part]).repeat(3, axis=0)
     layer = obj.data.color_attributes.new("part", "BYTE_COLOR", "CORNER")
     layer.data.foreach_set("color", colors.astype(np.float32).ravel())
+    if thickness:
+        solid = obj.modifiers.new("Thickness", "SOLIDIFY")
+        solid.thickness, solid.offset = thickness * float(np.ptp(vertices, axis=0).max()), 0.0
     if len(shape.edges):
         curve = bpy.data.curves.new("Curves", "CURVE")
         curve.dimensions, curve.bevel_depth = "3D", 0.004 * float(np.ptp(vertices, axis=0).max())
@@ -62,23 +69,29 @@ def axis(shape, kept=None):
     return obj
 
 
-def graph(shape, parts):
-    """The topology graph over the shape: a ball at every node, a stick from it to every part's middle."""
-    nodes, middles = np.asarray(shape["nodes"]), np.asarray(shape["parts"])
-    obj = _mesh("Graph", np.concatenate([nodes, middles]), ())
-    size = max(np.ptp(np.concatenate([nodes, middles]), axis=0).max(), 1e-9)
+def graph(shape, whole):
+    """The topology graph over the translucent shape: a red ball at every node, and a stick from it to a blue
+    one amid every part that touches it. Shapes are made to be of one size, about the origin."""
+    low, high = whole.vertices.min(axis=0), whole.vertices.max(axis=0)
+    size = (high - low).max()
+    at = {kind: (np.asarray(shape[kind]) - (low + high) / 2) / size for kind in ("nodes", "parts")}
+    obj = _mesh("Shape", (whole.vertices - (low + high) / 2) / size, whole.triangles)
+    obj.data.polygons.foreach_set("use_smooth", np.ones(len(obj.data.polygons), dtype=bool))
+    if hasattr(obj.data, "use_auto_smooth"):
+        obj.data.use_auto_smooth, obj.data.auto_smooth_angle = True, math.radians(40)
+    obj.color = GLASS
     curve = bpy.data.curves.new("Sticks", "CURVE")
-    curve.dimensions, curve.bevel_depth = "3D", 0.006 * size
+    curve.dimensions, curve.bevel_depth = "3D", 0.0055
     for part, node in np.asarray(shape["edges"]):
         spline = curve.splines.new("POLY")
         spline.points.add(1)
-        spline.points[0].co, spline.points[1].co = (*middles[part], 1.0), (*nodes[node], 1.0)
+        spline.points[0].co, spline.points[1].co = (*at["parts"][part], 1.0), (*at["nodes"][node], 1.0)
     sticks = bpy.data.objects.new("Sticks", curve)
     bpy.context.scene.collection.objects.link(sticks)
     sticks.parent, sticks.color = obj, picture.INK
-    for points, radius, color in ((nodes, 0.028, (0.8, 0.1, 0.1, 1)), (middles, 0.016, (0.1, 0.3, 0.8, 1))):
-        for point in points:
-            bpy.ops.mesh.primitive_uv_sphere_add(radius=radius * size, location=point, segments=16, ring_count=8)
+    for kind, radius, color in (("nodes", 0.022, (0.8, 0.1, 0.1, 1)), ("parts", 0.014, (0.1, 0.3, 0.8, 1))):
+        for point in at[kind]:
+            bpy.ops.mesh.primitive_uv_sphere_add(radius=radius, location=point, segments=16, ring_count=8)
             ball = bpy.context.object
             ball.parent, ball.color = obj, color
             for polygon in ball.data.polygons:
