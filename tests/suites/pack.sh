@@ -8,6 +8,7 @@ out=$(mkdir -p "$1" && cd "$1" && pwd)
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 libvbm/cmake/apt_install.sh samples/packages.txt tests/suites/packages.txt
 build=$PWD/build/release
+mkdir -p build
 cmake --preset release -DVBM_MESHLAB=REQUIRED >build/pack.log 2>&1 || { cat build/pack.log; exit 1; }
 cmake --build --preset release >build/pack.log 2>&1 || { tail -n 40 build/pack.log; exit 1; }
 version=$(sed -n 's/^CMAKE_PROJECT_VERSION:STATIC=//p' "$build/CMakeCache.txt")

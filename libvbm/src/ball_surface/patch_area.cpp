@@ -3,7 +3,6 @@
 // plane one's would.
 #include "ball_surface/patch_area.h"
 
-#include "core/progress.h"
 #include "dual/orthospheres.h"
 
 #include <algorithm>
@@ -41,21 +40,12 @@ double loop_angle(const PatchComplex &c, const DualShape &shape, int32_t first) 
   return sum;
 }
 
-std::vector<double> spacings(const PatchComplex &c, const DualShape &shape, Progress &progress) {
+std::vector<double> spacings(const PatchComplex &c, const DualShape &shape) {
   const std::size_t balls = shape.vertex.size();
   std::vector<double> area(balls, 0), sum(balls, 0);
   std::vector<int32_t> count(balls, 1);
-  for (const PatchComplex::Patch &patch : c.patches)
-    area[patch.ball] -= patch.loops == 0 ? -4 * kPi : 4 * kPi * (patch.loops - 1);
-  std::vector<uint8_t> done(c.darts.size(), 0);
-  for (std::size_t d = 0; d < c.darts.size(); ++d) {
-    progress.tick(d, c.darts.size());
-    if (done[d]) continue;
-    area[c.patches[c.darts[d].patch].ball] += loop_angle(c, shape, int32_t(d));
-    for (int32_t at = int32_t(d); !done[at]; at = c.darts[at].next) done[at] = 1;
-  }
   for (std::size_t b = 0; b < balls; ++b)
-    sum[b] = area[b] = std::max(0.0, area[b]) * shape.site[b].r * shape.site[b].r;
+    sum[b] = area[b] = std::max(0.0, c.bare[b]) * shape.site[b].r * shape.site[b].r;
   for (const DualShape::Edge &e : shape.edges) {
     sum[e.a] += area[e.b];
     sum[e.b] += area[e.a];

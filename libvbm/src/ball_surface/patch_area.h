@@ -8,8 +8,6 @@
 
 namespace vbm::impl {
 
-class Progress;
-
 /// The solid angle, as seen from its ball's centre, of what is on the left of the loop a dart is
 /// in; of a patch of several loops, their sum less 4 pi for all but one.
 double loop_angle(const PatchComplex &complex, const DualShape &shape, int32_t dart);
@@ -17,7 +15,6 @@ double loop_angle(const PatchComplex &complex, const DualShape &shape, int32_t d
 /// Per ball, the length of a square as large as what is bare of it: its own area where it has no
 /// neighbours, else the mean of theirs and its own. What a face is about as long as, if every ball
 /// gets one.
-std::vector<double> spacings(const PatchComplex &complex, const DualShape &shape,
-                             Progress &progress);
+std::vector<double> spacings(const PatchComplex &complex, const DualShape &shape);
 
 } // namespace vbm::impl

@@ -70,6 +70,7 @@ private:
   void make_points() {
     const std::size_t count = shape_.triangles.size();
     point_.assign(2 * count, -1);
+    out_.bare.assign(shape_.vertex.size(), 0);
     half_angle_chord_.resize(count);
     center_.resize(count);
     for (std::size_t t = 0; t < count; ++t) {
@@ -107,9 +108,13 @@ private:
         ++out_.offset_points;
       }
     }
+    const Vec3 at = y + normal * (side ? chord : -chord); // from p's centre
+    add_corner(b[0], at, e, f, w);
+    add_corner(b[1], at - e, f - e, -e, w);
+    add_corner(b[2], at - f, -f, e - f, w);
     point_[2 * t + side] = int32_t(out_.position.size());
     out_.code.push_back(2 * t + side);
-    out_.position.push_back(center_of(p) + y + normal * (side ? chord : -chord));
+    out_.position.push_back(center_of(p) + at);
     // What the radii were changed by moves the planes between the balls: by kTouch of the radii
     // where these differ, by kPowerChange of their squares in any case.
     const double le = length(e), lf = length(f), area = length(w);
@@ -118,6 +123,14 @@ private:
         ((lift + 2 * kTouch * p.r * le) * lf + (lift + 2 * kTouch * p.r * lf) * le) / (2 * area);
     const double blur = flat * (1 + length(y) / chord) + 2 * kTouch * p.r * p.r / chord;
     out_.blur.push_back(blur < kMostBlur * p.r ? blur : kMostBlur * p.r);
+  }
+
+  /// What a corner of a ball's patch takes from its solid angle: see patch_area.h. `q` and `r` are
+  /// the other balls' centres from the ball's own, `w` the vector product of any two sides.
+  void add_corner(int32_t ball, const Vec3 &at, const Vec3 &q, const Vec3 &r, const Vec3 &w) {
+    const double square = dot(at, at);
+    out_.bare[ball] -= std::atan2(std::fabs(dot(at, w)) * std::sqrt(square),
+                                  dot(q, r) * square - dot(at, q) * dot(at, r));
   }
 
   // ---- Arcs
@@ -178,6 +191,7 @@ private:
     const double begin = half_angle(axis, turn, from);
     const double angle = std::max(0.0, wedge - begin - half_angle(axis, next, to));
     const int n = pieces(edge, axis, angle);
+    add_side(edge, axis, angle);
     // From the triangle's singular point on the side of the wedge to the next one's; that side of
     // the next is the other one than the one its own wedge is on.
     const DualShape::Turn &t = shape_.turns[turn], &u = shape_.turns[next];
@@ -192,6 +206,12 @@ private:
     end_[corner(u.triangle, last, edge.b)] = final_dart + 1;
     start_[corner(u.triangle, last, edge.a)] = final_dart;
     end_[corner(t.triangle, first, edge.a)] = dart;
+  }
+
+  /// And what an arc adds to both its balls'.
+  void add_side(const DualShape::Edge &edge, const Axis3 &axis, double angle) {
+    out_.bare[edge.a] += axis.height_a / shape_.site[edge.a].r * angle;
+    out_.bare[edge.b] += axis.height_b / shape_.site[edge.b].r * angle;
   }
 
   std::size_t corner(int32_t triangle, int32_t point, int32_t ball) const {
@@ -214,6 +234,7 @@ private:
     const double x = std::fabs(d.x), y = std::fabs(d.y), z = std::fabs(d.z);
     const Vec3 u = x <= y && x <= z ? Vec3{1, 0, 0} : y <= z ? Vec3{0, 1, 0} : Vec3{0, 0, 1};
     add_circle(e, edge.end, axis, unit(axis.perpendicular(u)));
+    add_side(edge, axis, 2 * kPi);
     add_vertex(PatchComplex::point(out_.circles.back(), 0));
     add_pieces(0, 2 * kPi, n, first, first);
     const int32_t last = int32_t(out_.darts.size()) - 2;
@@ -275,6 +296,7 @@ private:
       for (int32_t at = int32_t(d); out_.darts[at].patch < 0; at = out_.darts[at].next, ++darts)
         out_.darts[at].patch = patch;
       out_.patches.push_back({ball, 1, darts, false});
+      out_.bare[ball] += 2 * kPi;
       if (!split[ball]) continue;
       if (split_number[ball] < 0) {
         split_number[ball] = int32_t(loops_of.size());
@@ -291,7 +313,10 @@ private:
     std::vector<uint8_t> has_edge(shape_.vertex.size(), 0);
     for (const DualShape::Edge &e : shape_.edges) has_edge[e.a] = has_edge[e.b] = 1;
     for (std::size_t b = 0; b < has_edge.size(); ++b)
-      if (shape_.vertex[b] && !has_edge[b]) out_.patches.push_back({int32_t(b), 0, 0, true});
+      if (shape_.vertex[b] && !has_edge[b]) {
+        out_.patches.push_back({int32_t(b), 0, 0, true});
+        out_.bare[b] = 4 * kPi;
+      }
   }
 
   /// Balls round which the shape is not connected: only these can have patches of several loops.
@@ -365,6 +390,7 @@ private:
 
   void join(int32_t loop, int32_t patch) {
     PatchComplex::Patch &gone = out_.patches[out_.darts[loop].patch], &kept = out_.patches[patch];
+    out_.bare[kept.ball] -= 4 * kPi;
     ++kept.loops;
     kept.darts += gone.darts;
     gone.loops = -1;

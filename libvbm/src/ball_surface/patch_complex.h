@@ -61,6 +61,7 @@ struct PatchComplex {
   std::vector<Circle> circles;
   std::vector<Arc> arcs;
   std::vector<Patch> patches;
+  std::vector<double> bare;        // of every ball: the solid angle of its patches
   std::size_t offset_points = 0;   // where three balls do not meet (8.3.5)
   std::size_t singular_points = 0; // vertices 0 .. singular_points - 1; others are within arcs
 

@@ -54,7 +54,7 @@ Merged merged_complex(const UnionInput &set, const PatchOptions &options, double
     touched = {&set.model->ball_samples, &set.number, &set.model->samples.position};
   const std::vector<int32_t> sample = touched.of(m.complex, m.shape, progress);
   std::vector<double> reach;
-  if (options.narrow > 0) reach = spacings(m.complex, m.shape, progress);
+  if (options.narrow > 0) reach = spacings(m.complex, m.shape);
   for (std::size_t b = 0; b < reach.size(); ++b)
     reach[b] = std::min(options.narrow * reach[b],
                         std::min(options.bulge, kMostNarrow) * m.shape.site[b].r);
