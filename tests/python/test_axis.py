@@ -40,8 +40,12 @@ def box_points(spacing, seed, size=(4, 2, 1)):
             face[:, axis] = side
             faces.append(face)
     points = np.unique(np.concatenate(faces).round(12), axis=0)
-    turn, _ = np.linalg.qr(random.normal(size=(3, 3)))
-    return points @ turn.T
+    # By a quaternion and sums: what BLAS and LAPACK make of these depends on which of them is installed.
+    w, x, y, z = (q := random.normal(size=4)) / np.sqrt((q * q).sum())
+    turn = np.array([[1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y)],
+                     [2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x)],
+                     [2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)]])
+    return sum(points[:, [a]] * turn[:, a] for a in range(3))
 
 
 def torus_points(around=120, across=40, ring=1.0, tube=0.35):
