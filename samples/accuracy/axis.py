@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """How near the medial axis comes to axes that are known exactly, against sampling density.
 
-    axis.py [--quick] [--out DIRECTORY]
+    axis.py [--quick] [--out DIRECTORY] [--publish]
 
 Points sampled on a box, a cylinder, a flat cylinder, an ellipsoid and a torus, each at several densities,
 become ball models, and these medial axes by both constructions. Printed and plotted for each, over the
@@ -15,8 +15,9 @@ computed one ends where the two sides are no farther apart than about twice the 
 samples, and at a smooth rim, as the ellipsoid's, where they are seen under less than the object angle
 while they are nearer than eight times that distance. Both shrink with the spacing.
 
-Ends with 1 if a largest distance, in units of the samples' spacing, exceeds the body's limits (axes.py),
-or if a distance does not fall with density. Needs numpy, matplotlib and the module vbm.
+With --publish, the page in this folder and its picture in the gallery are made anew. Ends with 1 if a
+largest distance, in units of the samples' spacing, exceeds the body's limits (axes.py), or if a distance
+does not fall with density. Needs numpy, matplotlib and the module vbm.
 """
 
 import argparse
@@ -28,6 +29,7 @@ import numpy as np
 import vbm
 
 import axes
+import axis_page
 import union
 from axis_picture import draw
 
@@ -110,6 +112,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--quick", action="store_true", help="few and coarse densities")
     parser.add_argument("--out", type=pathlib.Path, default=ROOT / "out" / "accuracy")
+    parser.add_argument("--publish", action="store_true", help="into this folder and the gallery")
     options = parser.parse_args()
     spacings = (0.1, 0.05) if options.quick else (0.1, 0.07, 0.05, 0.035)
 
@@ -136,8 +139,11 @@ def main():
             good &= falls
             print(f"{body.name:14} {method:11} {words}")
     options.out.mkdir(parents=True, exist_ok=True)
-    draw(found, METHODS, options.out / "axis.png")
-    print(f"\n{len(found)} rows, {sum(row.holds for row in found)} hold; {options.out / 'axis.png'}")
+    picture = (ROOT / "samples" / "gallery" if options.publish else options.out) / "axis_accuracy.png"
+    draw(found, METHODS, picture)
+    page = (ROOT / "samples" / "accuracy" if options.publish else options.out) / "README.md"
+    page.write_text(axis_page.text(found, "../gallery/" if options.publish else ""))
+    print(f"\n{len(found)} rows, {sum(row.holds for row in found)} hold; {picture}, {page}")
     return 0 if good else 1
 
 
