@@ -9,6 +9,8 @@ import matplotlib.pyplot as plt  # noqa: E402
 import numpy as np  # noqa: E402
 
 LIGHT = np.array([0.4, 0.5, 0.77])
+FINE = 2  # pixels drawn for one shown, each way
+DENSE = 5  # pixels drawn: edges shorter than this are too many to show
 VIEWS = {"bunny": (0.3, -0.15), "knot": (0.2, -0.9), "creature": (0.6, -1.25), "bracket": (0.7, -0.9), "hollow": (0.4, -0.3)}
 
 
@@ -27,13 +29,15 @@ def turn(view):
         [[np.cos(a), -np.sin(a), 0], [np.sin(a), np.cos(a), 0], [0, 0, 1]])
 
 
-def mixtures(values, cells, step):
-    """Values (n, k) at corners mixed over edges or triangles, at most `step` apart in their first three."""
+def mixtures(values, cells, spacing, most=60):
+    """Values (n, k) at corners mixed over edges or triangles, at most `spacing` apart in their first three: a
+    number, or a function of a cell's values; with at most `most` steps along a side."""
     out = [values]
     for cell in cells:
         corner = values[cell]
+        step = spacing(corner) if callable(spacing) else spacing
         long = max(np.linalg.norm(corner[i, :3] - corner[i - 1, :3]) for i in range(len(cell)))
-        n = min(max(1, int(np.ceil(long / step))), 60)
+        n = min(max(1, int(np.ceil(long / step))), most)
         if n == 1:
             continue
         grid = np.arange(n + 1) / n
@@ -51,6 +55,7 @@ class Image:
     """Balls over a white ground, orthographic."""
 
     def __init__(self, points, view, pixels):
+        pixels *= FINE
         self.turn = turn(view)
         at = points @ self.turn.T
         low, high = at.min(axis=0), at.max(axis=0)
@@ -83,25 +88,52 @@ class Image:
             self.depth[y0:y1, x0:x1][front] = depth[front]
             self.rgb[y0:y1, x0:x1][front] = (shade[..., None] * color)[front]
 
+    def dots(self, points, colors):
+        """Points two pixels wide, the nearest in front."""
+        at = points @ self.turn.T
+        corner = ((at[:, :2] - self.origin) / self.step - 0.5).astype(int)
+        for shift in np.ndindex(2, 2):
+            x, y = (corner + shift).T
+            seen = (x >= 0) & (x < self.pixels) & (y >= 0) & (y < self.pixels)
+            order = np.flatnonzero(seen)[np.argsort(at[seen, 2], kind="stable")]
+            x, y, z, color = x[order], y[order], at[order, 2], colors[order]
+            np.maximum.at(self.depth, (y, x), z)
+            front = z >= self.depth[y, x]
+            self.rgb[y[front], x[front]] = color[front]
+
     def fade(self, share):
         """What is there becomes the ground for what comes."""
         self.rgb = 1 - (1 - self.rgb) * share
         self.depth[:] = -np.inf
 
     def show(self, axis, title):
-        axis.imshow(np.clip(self.rgb[::-1], 0, 1))
+        n = self.pixels // FINE
+        shown = self.rgb.reshape(n, FINE, n, FINE, 3).mean(axis=(1, 3))
+        axis.imshow(np.clip(shown[::-1], 0, 1), interpolation="antialiased")
         axis.set_axis_off()
         axis.set_title(title)
 
 
-def fill(image, mesh, radius=None, colors=None):
-    """The envelope, or sheets and curves as thin as `radius`."""
-    table = np.column_stack([mesh.vertices, mesh.radii, mesh.radii if colors is None else colors])
-    step = (3 if radius is None else 1) * image.step
-    all_of = mixtures(table, [*mesh.triangles, *mesh.edges], step)
-    shade = all_of[:, 4] / mesh.radii.max()
-    color = plt.cm.viridis(shade)[:, :3] if radius is not None else np.tile([0.75, 0.72, 0.65], (len(all_of), 1))
-    image.balls(all_of[:, :3], all_of[:, 3] if radius is None else np.full(len(all_of), radius), color)
+def envelope(image, mesh):
+    def step(corner):
+        # Between balls of radius r that are d apart, what they sweep is nicked by d * d / 8 r.
+        return max(4 * image.step, np.sqrt(2 * corner[:, 3].min() * image.step))
+
+    balls = mixtures(np.column_stack([mesh.vertices, mesh.radii]), [*mesh.triangles, *mesh.edges], step)
+    image.balls(balls[:, :3], balls[:, 3], np.tile([0.75, 0.72, 0.65], (len(balls), 1)))
+
+
+def sheets(image, mesh):
+    """Triangles and curves, coloured by radius, with their edges where these are not too dense."""
+    most = image.pixels
+    corners = np.column_stack([mesh.vertices, mesh.radii])
+    points = mixtures(corners, [*mesh.triangles, *mesh.edges], image.step, most)
+    image.dots(points[:, :3], 0.9 * plt.cm.viridis(points[:, 3] / mesh.radii.max())[:, :3])
+    edges = all_edges(mesh)
+    length = np.linalg.norm(np.diff(mesh.vertices[edges], axis=1)[:, 0], axis=1)
+    if np.median(length) > DENSE * image.step:
+        lines = mixtures(mesh.vertices, edges, image.step, most)
+        image.dots(lines + 2 * image.step * image.turn[2], np.full((len(lines), 3), 0.12))
 
 
 def draw_axes(meshes, pixels, path):
@@ -112,11 +144,7 @@ def draw_axes(meshes, pixels, path):
             image = Image(mesh.vertices, VIEWS["bunny"], pixels)
             image.size *= 1.25
             image.origin -= 0.1 * image.size
-            fill(image, mesh, None if row else 0.8 * image.step)
-            if not row:
-                lines = mixtures(mesh.vertices, all_edges(mesh), image.step)
-                image.balls(lines + 2 * image.step * image.turn[2], np.full(len(lines), 0.4 * image.step),
-                            np.zeros((len(lines), 3)))
+            (envelope if row else sheets)(image, mesh)
             image.show(axes[row][column], "" if row else title)
     figure.savefig(path, dpi=110)
     plt.close(figure)
@@ -132,8 +160,9 @@ def draw_skeletons(items, pixels, path):
         image.balls(model.centers[some], model.radii[some], np.tile([0.6, 0.66, 0.75], (len(some), 1)))
         image.fade(0.45)
         tubes = mixtures(mesh.vertices, [*mesh.edges, *mesh.triangles], image.step)
-        image.balls(tubes, np.full(len(tubes), 2 * image.step), np.tile([0.85, 0.15, 0.1], (len(tubes), 1)))
-        image.balls(mesh.vertices, np.full(len(mesh.vertices), 3.5 * image.step), np.tile([0.1, 0.1, 0.3], (len(mesh.vertices), 1)))
+        image.balls(tubes, np.full(len(tubes), 2 * FINE * image.step), np.tile([0.85, 0.15, 0.1], (len(tubes), 1)))
+        image.balls(mesh.vertices, np.full(len(mesh.vertices), 3.5 * FINE * image.step),
+                    np.tile([0.1, 0.1, 0.3], (len(mesh.vertices), 1)))
         image.show(axis, f"{name}: {mesh.report.vertices} balls")
     figure.savefig(path, dpi=110)
     plt.close(figure)
