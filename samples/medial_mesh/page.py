@@ -27,7 +27,7 @@ hollow tetrahedron that is no cavity. Seconds are of one core.
 
 Every mesh is written as `.ma` and `.ply`.
 
-**Beside Q-MAT** (Li et al. 2015), whose authors' program was measured on the bunny at 1,000 balls: its largest gap is 0.0074 of
+**Beside Q-MAT** (Li et al. 2015), whose authors' program was run on the bunny for 1,000 balls: its largest gap is 0.0074 of
 the diagonal and the mean 0.0012, and the Euler characteristic 23 where the bunny's is 1. Here both ways together the
 largest is {largest} and the mean {mean}, with the bunny's Betti numbers.
 

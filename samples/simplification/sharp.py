@@ -99,7 +99,7 @@ def nearest(points, corners, reach):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("--spacing", type=float, default=0.01, help="of samples, a share of the diagonal")
+    parser.add_argument("--spacing", type=float, default=0.02, help="of samples, a share of the diagonal")
     parser.add_argument("--mesh", type=pathlib.Path)
     options = parser.parse_args()
     shapes = {"box": box(), "blade": blade()}
