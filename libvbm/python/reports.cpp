@@ -30,7 +30,7 @@ const Field<M> kModelFields[] = {
     {"flipped", "True: the mesh was inside out and was taken as upright.",
      [](const M &r) -> py::object { return py::bool_(r.flipped != 0); }},
     VBM_FIELD(M, input_points, "Vertices, points or voxels given."),
-    VBM_FIELD(M, dropped, "Points left out because they were not finite or no face used them."),
+    VBM_FIELD(M, dropped, "Points left out: not finite, of no face, or inside other parts of a mesh."),
     VBM_FIELD(M, merged, "Points merged into an earlier one within 2e-11 of the whole's size."),
     VBM_FIELD(M, added, "Samples added on faces and edges."),
     VBM_FIELD(M, samples, "Samples in the Delaunay triangulation."),

@@ -154,8 +154,9 @@ VBM_API vbm_status vbm_build_points(vbm_context *context, const double *points, 
  * Faces with fewer than three different corners are skipped and counted. With NORMALS a face's front
  * (counter-clockwise) is outside; a closed mesh that is inside out as a whole is taken as upright and
  * said so. Space that closed shells wind round more than once (nested shells of one direction,
- * overlapping solids) is inside: the union. Faces whose directions contradict each other are
- * reported, and the labels then come from propagation.
+ * overlapping solids) is inside: the union. Samples where one shell runs inside another are no
+ * boundary of it: they are left out, and vertices among them counted as dropped. Faces whose
+ * directions contradict each other are reported, and the labels then come from propagation.
  * Errors: as vbm_build_points; INPUT also for corners out of range. */
 VBM_API vbm_status vbm_build_mesh(vbm_context *context, const double *vertices, size_t vertex_count,
                                   const uint32_t *face_sizes, const int32_t *corners,
@@ -202,7 +203,8 @@ typedef struct vbm_model_report {
   int32_t rule;               /* vbm_labels actually used: never AUTO                             */
   int32_t flipped;            /* 1: the mesh was inside out and was taken as upright              */
   uint64_t input_points;      /* vertices, points or voxels given                                 */
-  uint64_t dropped;           /* points left out because they were not finite or no face used them */
+  uint64_t dropped;           /* points left out: not finite, of no face, or where parts of a mesh
+                                 run inside others                                                */
   uint64_t merged;            /* points merged into an earlier one within 2e-11 of the size       */
   uint64_t added;             /* samples added on faces and edges                                 */
   uint64_t samples;           /* samples in the Delaunay triangulation                            */

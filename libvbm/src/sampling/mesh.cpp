@@ -3,6 +3,7 @@
 
 #include "core/error.h"
 #include "core/progress.h"
+#include "sampling/buried.h"
 #include "sampling/checks.h"
 #include "sampling/face_normals.h"
 #include "sampling/faces.h"
@@ -115,9 +116,14 @@ Samples sample_mesh(const double *vertices, std::size_t vertex_count, const uint
   samples.rule = normals ? VBM_LABELS_NORMALS : VBM_LABELS_PROPAGATION;
   if (normals)
     samples.normal = vertex_normals(mesh.triangle, samples.position, face_normal, progress);
+  std::shared_ptr<const BuriedTest> buried;
+  if (parts.usable && parts.overlap && parts.part.size() <= kManyParts)
+    buried = std::make_shared<const BuriedTest>(mesh.triangle, parts, progress);
   std::vector<Vec3> position = normals ? std::move(parts.position) : samples.position;
   fill_gaps(mesh, face_normal, options, samples, progress);
-  set_mesh_queries(std::move(mesh.triangle), std::move(position), parts, samples, progress);
+  if (buried) drop_buried(*buried, samples, progress);
+  set_mesh_queries(std::move(mesh.triangle), std::move(position), parts, std::move(buried), samples,
+                   progress);
   return samples;
 }
 

@@ -26,17 +26,19 @@ private:
 
 class MeshRefiner final : public Refiner {
 public:
-  explicit MeshRefiner(std::shared_ptr<const TriangleTree> tree) : tree_(std::move(tree)) {}
+  MeshRefiner(std::shared_ptr<const TriangleTree> tree, std::shared_ptr<const BuriedTest> buried)
+      : tree_(std::move(tree)), buried_(std::move(buried)) {}
   bool nearest(const Vec3 &center, double radius, Vec3 &point, Vec3 &normal) const override {
     TriangleTree::Nearest found{radius, {}, -1};
     if (!tree_->nearest(center, found)) return false;
     point = found.point;
     normal = tree_->normal_at(found.point);
-    return true;
+    return !buried_ || !buried_->buried(point, normal);
   }
 
 private:
   std::shared_ptr<const TriangleTree> tree_;
+  std::shared_ptr<const BuriedTest> buried_; // may be null
 };
 
 /// What every triangle and, after them, every cap counts for; empty if all count for both.
@@ -55,11 +57,12 @@ std::vector<uint8_t> uses(const Parts &parts) {
 } // namespace
 
 void set_mesh_queries(std::vector<Triangle> triangles, std::vector<Vec3> position,
-                      const Parts &parts, Samples &samples, Progress &progress) {
+                      const Parts &parts, std::shared_ptr<const BuriedTest> buried,
+                      Samples &samples, Progress &progress) {
   triangles.insert(triangles.end(), parts.caps.begin(), parts.caps.end());
   const auto tree =
       std::make_shared<const TriangleTree>(std::move(position), triangles, uses(parts), progress);
-  samples.refiner = std::make_unique<MeshRefiner>(tree);
+  samples.refiner = std::make_unique<MeshRefiner>(tree, std::move(buried));
   if (parts.usable) samples.inside = std::make_unique<WindingTest>(tree, parts.overlap);
 }
 
