@@ -11,10 +11,9 @@ gudhi = pytest.importorskip("gudhi")
 def betti(axis):
     """Of the axis as a simplicial complex, without the library's counting."""
     complex = gudhi.SimplexTree()
-    for vertex in range(len(axis.vertices)):
-        complex.insert([vertex])
-    for simplex in [*axis.edges.tolist(), *axis.triangles.tolist()]:
-        complex.insert(simplex)
+    for simplices in (np.arange(len(axis.vertices))[:, None], axis.edges, axis.triangles):
+        if len(simplices):
+            complex.insert_batch(np.ascontiguousarray(simplices.T, np.int32), np.zeros(len(simplices)))
     assert complex.num_vertices() == len(axis.vertices)
     # No triangle twice: the complex has as many simplices as the report.
     report = axis.report

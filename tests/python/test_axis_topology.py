@@ -14,11 +14,9 @@ gudhi = pytest.importorskip("gudhi")
 
 def complex_of(simplices, vertices):
     tree = gudhi.SimplexTree()
-    for vertex in range(vertices):
-        tree.insert([vertex])
-    for rows in simplices:
-        for row in rows.tolist():
-            tree.insert(row)
+    for rows in (np.arange(vertices)[:, None], *simplices):
+        if len(rows):
+            tree.insert_batch(np.ascontiguousarray(rows.T, np.int32), np.zeros(len(rows)))
     return tree
 
 

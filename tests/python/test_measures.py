@@ -52,7 +52,7 @@ def by_quadrature(centers, radii):
                 if z2 > 0:
                     breaks.add(math.sqrt(z2))
     breaks = sorted(b for b in breaks if b <= top)
-    node, weight = np.polynomial.legendre.leggauss(200)
+    node, weight = np.polynomial.legendre.leggauss(100)
     total = 0
     for low, high in zip(breaks, breaks[1:]):
         # Square roots at both ends: a substitution makes them smooth.
@@ -93,6 +93,11 @@ def disks_area(centers, radii, z):
     return area
 
 
+def powers(points, centers, radii):
+    """Power distance of every point to every ball."""
+    return (points**2).sum(1)[:, None] - 2 * points @ centers.T + ((centers**2).sum(1) - radii**2)
+
+
 def monte_carlo(centers, radii, count=400_000, seed=1):
     """Volume and shares of the volume, area and shares of it, each with its standard error."""
     rng = np.random.default_rng(seed)
@@ -101,7 +106,7 @@ def monte_carlo(centers, radii, count=400_000, seed=1):
     hits = np.zeros(n)
     for _ in range(count // 20_000):
         x = low + (high - low) * rng.random((20_000, 3))
-        power = ((x[:, None] - centers) ** 2).sum(2) - radii**2
+        power = powers(x, centers, radii)
         nearest = power.argmin(1)
         inside = power.min(1) < 0
         hits += np.bincount(nearest[inside], minlength=n)
@@ -114,7 +119,7 @@ def monte_carlo(centers, radii, count=400_000, seed=1):
     for i in range(n):
         u = rng.normal(size=(per_ball, 3))
         x = centers[i] + radii[i] * u / np.linalg.norm(u, axis=1)[:, None]
-        power = ((x[:, None] - centers) ** 2).sum(2) - radii**2
+        power = powers(x, centers, radii)
         power[:, i] = np.inf
         f = (power.min(1) >= 0).mean()
         whole = 4 * math.pi * radii[i] ** 2
@@ -177,7 +182,7 @@ def test_two_balls_apart_touching_and_nested():
         assert m.ball_volumes[1] <= 1e-12
 
 
-@pytest.mark.parametrize("seed", range(6))
+@pytest.mark.parametrize("seed", range(4))
 def test_three_balls(seed):
     rng = np.random.default_rng(seed)
     centers = np.zeros((3, 3))
