@@ -20,8 +20,12 @@ namespace {
 constexpr double kCovered = 1e-9;
 
 /// Steps around a circle or across a triangle, and halvings of an octahedron's edges, at most:
-/// nothing is larger than a few times the diagonal.
-constexpr int kMostSteps = 1 << 12, kMostHalvings = 10;
+/// enough for all that is within the bounding box. Balls of bad samplings reach far beyond it.
+constexpr int kMostSteps = 1 << 9, kMostHalvings = 7;
+
+/// Points and pieces of spheres looked at, after which the spacing is doubled and all is done anew:
+/// several times what an axis of 5,000 balls takes.
+constexpr std::size_t kMostWork = 1 << 23;
 
 constexpr double kPi = 3.14159265358979323846;
 
@@ -39,19 +43,32 @@ public:
   }
 
   EnvelopeSamples run() {
-    for (std::size_t v = 0; v < complex_.ball.size(); ++v) sphere(int32_t(v));
-    for (const auto &e : edges_) cone(e[0], e[1]);
-    for (const auto &t : complex_.triangle) slab(t);
+    while (!try_once()) spacing_ *= 2;
     return std::move(out_);
   }
 
 private:
+  /// False if it would take too much work. With one point a primitive it is done in any case.
+  bool try_once() {
+    out_ = EnvelopeSamples();
+    work_ = 0;
+    const std::size_t primitives = complex_.ball.size() + edges_.size() + complex_.triangle.size();
+    const std::size_t most = kMostWork + 16 * primitives;
+    for (std::size_t v = 0; v < complex_.ball.size() && work_ <= most; ++v) sphere(int32_t(v));
+    for (std::size_t e = 0; e < edges_.size() && work_ <= most; ++e)
+      cone(edges_[e][0], edges_[e][1]);
+    for (std::size_t t = 0; t < complex_.triangle.size() && work_ <= most; ++t)
+      slab(complex_.triangle[t]);
+    return work_ <= most;
+  }
+
   double height(int32_t v, const Vec3 &n) const {
     return dot(n, complex_.ball[v].center) + complex_.ball[v].radius;
   }
 
   void add(const Vec3 &p, double area) {
     progress_.tick(0, 1);
+    ++work_;
     if (envelope_.covers(p, kCovered)) return;
     out_.point.push_back(p);
     out_.area.push_back(area);
@@ -84,6 +101,7 @@ private:
   void cut(const Ball &ball, const Vec3 &a, const Vec3 &b, const Vec3 &c, int halvings,
            double area) {
     progress_.tick(0, 1);
+    ++work_;
     const Vec3 middle = unit(a + b + c);
     const double reach =
         std::min({dot(middle, a), dot(middle, b), dot(middle, c)}); // cosine of its radius
@@ -174,6 +192,7 @@ private:
   const Envelope &envelope_;
   double spacing_;
   Progress &progress_;
+  std::size_t work_ = 0; // pieces and points looked at
   std::vector<std::array<int32_t, 2>> edges_;
   Incidence neighbors_, triangles_at_;
   std::vector<Cap> around_;
