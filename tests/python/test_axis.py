@@ -13,7 +13,7 @@ def betti(axis):
     complex = gudhi.SimplexTree()
     for simplices in (np.arange(len(axis.vertices))[:, None], axis.edges, axis.triangles):
         if len(simplices):
-            complex.insert_batch(np.ascontiguousarray(simplices.T, np.int32), np.zeros(len(simplices)))
+            complex.insert_batch(np.array(simplices.T, np.int32, order="C"), np.zeros(len(simplices)))
     assert complex.num_vertices() == len(axis.vertices)
     # No triangle twice: the complex has as many simplices as the report.
     report = axis.report

@@ -16,7 +16,7 @@ def complex_of(simplices, vertices):
     tree = gudhi.SimplexTree()
     for rows in (np.arange(vertices)[:, None], *simplices):
         if len(rows):
-            tree.insert_batch(np.ascontiguousarray(rows.T, np.int32), np.zeros(len(rows)))
+            tree.insert_batch(np.array(rows.T, np.int32, order="C"), np.zeros(len(rows)))
     return tree
 
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "nasty.h"
 
+#include "check_medial_mesh.h"
 #include "child.h"
 #include "host.h"
 #include "nasty_files.h"
@@ -129,10 +130,35 @@ Expect either(std::vector<Expect> ways) {
 
 namespace {
 
-/// Each input goes through building, surfaces, axis, pruning and the surfaces of that: the largest takes
-/// half a minute, ten times as long under sanitizers, and more beside other tests.
+/// Each input goes through building, surfaces, axis, pruning and the surfaces of that: the largest
+/// takes half a minute, ten times as long under sanitizers, and more beside other tests.
 const unsigned kSeconds = sanitized() ? 900 : 120;
 constexpr std::size_t kMegabytes = 4000;
+
+/// What is made of the axis, where that does not take long.
+constexpr size_t kFewBalls = 2000;
+
+std::string derive(const Build &build, const vbm_build_options &options) {
+  std::string wrong;
+  vbm_context *context = nullptr;
+  vbm_model *model = nullptr;
+  vbm_axis *axis = nullptr;
+  if (vbm_context_create(&context) == VBM_OK && build(context, &options, &model) == VBM_OK &&
+      vbm_model_inner_count(model) <= kFewBalls) {
+    vbm_axis_report report;
+    report.struct_size = sizeof report;
+    if (vbm_model_medial_axis(context, model, nullptr, &axis) != VBM_OK ||
+        vbm_axis_get_report(axis, &report) != VBM_OK)
+      wrong = std::string("no axis: ") + vbm_context_message(context) + "\n";
+    else
+      wrong =
+          exercise_derived(context, model, axis, report.euler, report.components, nullptr).text();
+  }
+  vbm_axis_free(axis);
+  vbm_model_free(model);
+  vbm_context_free(context);
+  return wrong;
+}
 
 /// In a child process: no assertions of the test framework, which would be counted there only.
 bool try_one(const Build &build, const vbm_build_options &options, const Expect &expect, bool oddly,
@@ -143,6 +169,7 @@ bool try_one(const Build &build, const vbm_build_options &options, const Expect 
   if (expect)
     if (const AssertionResult result = expect(usual); !result)
       wrong += std::string(result.message()) + "\n";
+  if (oddly && wrong.empty()) wrong += derive(build, options);
   if (oddly && have_comma_locale()) {
     std::string changed;
     const Outcome odd = run(

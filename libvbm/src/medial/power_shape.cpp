@@ -126,17 +126,19 @@ private:
   void find_near(SingularPoint &point) const {
     const Incidence &lists = model_.ball_samples;
     std::pair<double, int32_t> best{HUGE_VAL, -1}, second = best;
+    const auto look_at = [&](int32_t s) {
+      const std::pair<double, int32_t> here{distance(model_.samples.position[s], point.position),
+                                            s};
+      if (here.second == best.second || here.second == second.second) return;
+      if (here < best)
+        second = std::exchange(best, here);
+      else if (here < second)
+        second = here;
+    };
     for (int32_t b : point.balls)
-      for (uint64_t k = lists.offset[b]; k < lists.offset[b + 1]; ++k) {
-        const int32_t s = lists.index[k];
-        const std::pair<double, int32_t> here{distance(model_.samples.position[s], point.position),
-                                              s};
-        if (here.second == best.second || here.second == second.second) continue;
-        if (here < best)
-          second = std::exchange(best, here);
-        else if (here < second)
-          second = here;
-      }
+      for (uint64_t k = lists.offset[b]; k < lists.offset[b + 1]; ++k) look_at(lists.index[k]);
+    if (second.second < 0) // the balls there touch no two samples
+      for (int32_t s = 0; s < model_.cells.samples; ++s) look_at(s);
     point.near_sample = best.second;
     point.next_sample = second.second;
   }
