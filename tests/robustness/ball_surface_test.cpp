@@ -98,7 +98,8 @@ struct Watch {
 };
 
 TEST_P(BallSurfaces, CancelAtReports) {
-  const Balls balls = scattered(GetParam() == VBM_BALL_STYLE_POWER_CRUST ? 60 : 200);
+  const bool slow = GetParam() == VBM_BALL_STYLE_SKIN || GetParam() == VBM_BALL_STYLE_POWER_CRUST;
+  const Balls balls = scattered(slow ? 60 : 200);
   std::string whole, again;
   ASSERT_EQ(call(balls)(context, &whole), VBM_OK) << vbm_context_message(context);
   Watch watch;
