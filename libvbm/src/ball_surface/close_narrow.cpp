@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace vbm::impl {
 namespace {
@@ -93,17 +94,25 @@ private:
 
   /// Patches of two loops and more: each pair is joined where it is nearest.
   void rings() {
-    PatchComplex &c = editor_.complex;
-    std::vector<std::vector<int32_t>> loops(c.patches.size());
-    std::vector<uint8_t> done(c.darts.size(), 0);
-    for (std::size_t d = 0; d < done.size(); ++d) {
-      if (!editor_.alive(int32_t(d)) || done[d] || c.patches[c.darts[d].patch].loops < 2) continue;
-      loops[c.darts[d].patch].push_back(int32_t(d));
-      for (int32_t at = int32_t(d); !done[at]; at = c.darts[at].next) done[at] = 1;
+    const PatchComplex &c = editor_.complex;
+    std::vector<std::pair<int32_t, int32_t>> starts; // patch, and a dart of each of its loops
+    loop_.assign(c.darts.size(), -1);
+    for (std::size_t d = 0; d < loop_.size(); ++d) {
+      const int32_t p = c.darts[d].patch;
+      if (!editor_.alive(int32_t(d)) || loop_[d] >= 0 || c.patches[p].loops < 2) continue;
+      for (int32_t at = int32_t(d); loop_[at] < 0; at = c.darts[at].next)
+        loop_[at] = int32_t(starts.size());
+      starts.emplace_back(p, int32_t(d));
     }
-    for (std::size_t p = 0; p < loops.size(); ++p)
-      if (loops[p].size() > 1 && std::size_t(c.patches[p].loops) == loops[p].size())
-        zip_patch(int32_t(p), loops[p]);
+    std::sort(starts.begin(), starts.end());
+    std::vector<int32_t> loops;
+    for (std::size_t i = 0; i < starts.size(); ++i) {
+      const int32_t p = starts[i].first;
+      loops.push_back(starts[i].second);
+      if (i + 1 < starts.size() && starts[i + 1].first == p) continue;
+      if (std::size_t(c.patches[p].loops) == loops.size()) zip_patch(p, loops);
+      loops.clear();
+    }
   }
 
   /// A dart of a patch, and its chord.
@@ -330,6 +339,7 @@ private:
     Vec3 out;
     double height;
   };
+  std::vector<int32_t> loop_; // by dart
   std::vector<Piece> pieces_;
   std::vector<Near> near_;
   std::vector<std::vector<int32_t>> parts_; // of each piece: its darts since it was cut
