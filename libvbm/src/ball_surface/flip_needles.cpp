@@ -20,7 +20,7 @@ constexpr double kDeep = 0.02;
 class Flipping {
 public:
   Flipping(const std::vector<Vec3> &position, const std::vector<Ball> &balls,
-           std::vector<std::array<int32_t, 3>> &triangles, std::vector<int32_t> &ball,
+           std::vector<std::array<int32_t, 3>> &triangles, const std::vector<int32_t> &ball,
            Progress &progress)
       : position_(position), balls_(balls), t_(triangles), ball_(ball), progress_(progress),
         moved_(triangles.size(), 0) {}
@@ -49,9 +49,6 @@ public:
 
 private:
   /// Squared sine of the smallest angle, 0 of a triangle without an area.
-  double thinness(const std::array<int32_t, 3> &t) const {
-    return thinness(position_[t[0]], position_[t[1]], position_[t[2]]);
-  }
   static double thinness(const Vec3 &a, const Vec3 &b, const Vec3 &c) {
     const Vec3 n = cross(b - a, c - a);
     double e[3] = {dot(b - a, b - a), dot(c - b, c - b), dot(a - c, a - c)};
@@ -155,7 +152,7 @@ private:
   const std::vector<Vec3> &position_;
   const std::vector<Ball> &balls_;
   std::vector<std::array<int32_t, 3>> &t_;
-  std::vector<int32_t> &ball_;
+  const std::vector<int32_t> &ball_;
   Progress &progress_;
   std::vector<uint8_t> moved_;
   std::vector<int32_t> twin_; // of half-edges 3 * triangle + side
@@ -165,7 +162,7 @@ private:
 
 std::vector<uint8_t> flip_needles(const std::vector<Vec3> &position, const std::vector<Ball> &balls,
                                   std::vector<std::array<int32_t, 3>> &triangles,
-                                  std::vector<int32_t> &ball, Progress &progress) {
+                                  const std::vector<int32_t> &ball, Progress &progress) {
   return Flipping(position, balls, triangles, ball, progress).run();
 }
 

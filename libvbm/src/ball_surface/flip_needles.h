@@ -18,6 +18,6 @@ class Progress;
 /// polygon it was in.
 std::vector<uint8_t> flip_needles(const std::vector<Vec3> &position, const std::vector<Ball> &balls,
                                   std::vector<std::array<int32_t, 3>> &triangles,
-                                  std::vector<int32_t> &ball, Progress &progress);
+                                  const std::vector<int32_t> &ball, Progress &progress);
 
 } // namespace vbm::impl

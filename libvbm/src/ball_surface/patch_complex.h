@@ -17,8 +17,8 @@ class Progress;
 inline constexpr double kMostNarrow = 0.15;
 
 struct PatchOptions {
-  double bulge = 0.1;   // see vbm_ball_surface_options
-  double narrow = 0.25; // see vbm_ball_surface_options
+  double bulge = 0.15;  // see vbm_ball_surface_options
+  double narrow = 0.4;  // see vbm_ball_surface_options
   bool bridged = false; // the dual shape is that of larger balls than `balls`
 };
 
