@@ -210,7 +210,7 @@ TEST_F(Cancel, RangeScan) {
 }
 
 TEST_F(Cancel, EveryStageOfABigJob) {
-  const shapes::Shape big = shapes::torus(120, 50, 2, .6, .3);
+  const shapes::Shape big = shapes::torus(70, 30, 2, .6, .3);
   for (Job job : {Job{"big points", points_of(big)}, Job{"big mesh", mesh_of(big)}}) {
     Watch watch(context);
     int calls = 0;
