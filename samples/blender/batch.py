@@ -2,7 +2,7 @@
 """Balls, thickness and a closed surface for every mesh file of a folder, without a window.
 
     . build/release/env.sh
-    blender -b --factory-startup --python samples/blender/batch.py -- FOLDER OUT [options]
+    blender -b --factory-startup --python-exit-code 1 --python samples/blender/batch.py -- FOLDER OUT [options]
 
 Reads OFF, OBJ, PLY and STL. For each file OUT gets a PLY file: the rebuilt surface, with the radius of
 the balls, the thickness, and the thickness as colour on every vertex; with --blend also a .blend file
@@ -14,6 +14,7 @@ The exit code is 0 if at least one file worked, 1 if none did, and 2 if nothing 
 import argparse
 import sys
 import time
+import traceback
 from pathlib import Path
 
 import addon_utils
@@ -46,11 +47,12 @@ def arguments():
 
 def make_object(path, notes):
     points, faces = read(path, notes)
-    mesh = bpy.data.meshes.new(path.stem)
+    name = path.stem.encode("utf-8", "replace").decode()  # a file's name need not be text
+    mesh = bpy.data.meshes.new(name)
     mesh.from_pydata(np.asarray(points, dtype=float).reshape(-1, 3).tolist(), [],
                      [list(face) for face in np.asarray(faces).tolist()]
                      if isinstance(faces, np.ndarray) else faces)
-    obj = bpy.data.objects.new(path.stem, mesh)
+    obj = bpy.data.objects.new(name, mesh)
     bpy.context.scene.collection.objects.link(obj)
     return obj, len(points), len(faces)
 
@@ -108,11 +110,16 @@ def process(path, target, given, row):
     row["result"] = "ok" + (f", {count} note{'s' * (count > 1)} above" if count else "")
 
 
-def reason(error, path):
+def reason(error):
     """One line for the table."""
     text = str(error).strip() or type(error).__name__
     if isinstance(error, RuntimeError):  # from an operator: "Error: OBJECT: what is wrong"
-        text = text.removeprefix("Error: ").split("\n")[0].removeprefix(f"{path.stem}: ")
+        text = text.removeprefix("Error: ").split("\n")[0]
+        for obj in bpy.data.objects:  # the row says of which file
+            text = text.removeprefix(f"{obj.name}: ")
+    elif not isinstance(error, (MeshFileError, OSError, MemoryError)):
+        traceback.print_exception(type(error), error, error.__traceback__)
+        text = f"a defect: {type(error).__name__}: {text}"
     return f"FAILED: {' '.join(text.split())}"
 
 
@@ -163,8 +170,8 @@ def main():
         clear_scene()
         try:
             process(path, given.out / name, given, row)
-        except (MeshFileError, RuntimeError, OSError, MemoryError) as error:
-            row["result"] = reason(error, path)
+        except Exception as error:  # whatever it is, the other files and the table come
+            row["result"] = reason(error)
         row["seconds"] = time.perf_counter() - began
         rows.append(row)
         sys.stdout.flush()

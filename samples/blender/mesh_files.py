@@ -78,6 +78,8 @@ def _read_off(data, notes):
         size = _numbers(words[:1], int, f"line {number}")[0]
         if size < 0 or len(words) < size + 1:
             raise MeshFileError(f"line {number}: the face is shorter than it says")
+        if size < 3:
+            raise MeshFileError(f"line {number}: a face needs three corners")
         faces.append(_numbers(words[1:size + 1], int, f"line {number}"))
         at.append(number)
     number, _ = next(rows, (None, []))
@@ -112,7 +114,7 @@ def _read_obj(data, _notes):
 
 def _read_stl(data, _notes):
     count = int.from_bytes(data[80:84], "little") if len(data) >= 84 else -1
-    if len(data) == 84 + 50 * count:
+    if count >= 0 and len(data) == 84 + 50 * count:
         rows = np.frombuffer(data, offset=84, count=count, dtype=[
             ("normal", "<f4", 3), ("corners", "<f4", (3, 3)), ("more", "<u2")])
         corners = rows["corners"].reshape(-1, 3)
@@ -139,6 +141,8 @@ _PLY_TYPES = {"char": "i1", "uchar": "u1", "short": "i2", "ushort": "u2", "int":
               "float": "f4", "double": "f8", "int8": "i1", "uint8": "u1", "int16": "i2",
               "uint16": "u2", "int32": "i4", "uint32": "u4", "float32": "f4", "float64": "f8"}
 
+#: Names that the list of a face's vertices goes by.
+_PLY_CORNERS = ("vertex_indices", "vertex_index")
 
 #: Bytes within which a header that has no end is looked through for the line where it stops.
 _LONGEST_HEADER = 100_000
@@ -159,15 +163,40 @@ def _ply_header(data):
             if words[:1] == ["format"]:
                 order = {"ascii": "", "binary_little_endian": "<", "binary_big_endian": ">"}[words[1]]
             elif words[:1] == ["element"]:
-                elements.append((words[1], int(words[2]), []))
+                _add(elements, (words[1], _count(words[2]), []), number)
             elif words[:1] == ["property"]:
-                types = [_PLY_TYPES[word] for word in (words[2:4] if words[1] == "list" else words[1:2])]
-                elements[-1][2].append((words[-1], types))
-        except (KeyError, IndexError, ValueError):
+                _add(elements[-1][2], _property(*words[1:]), number)
+        except (KeyError, IndexError, ValueError, TypeError):
             raise MeshFileError(f"line {number} of the header is not understood") from None
     if order is None:
         raise MeshFileError("the header does not say the format")
     return order, elements, newline + 1
+
+
+def _count(word):
+    count = int(word)
+    if count < 0:
+        raise ValueError
+    return count
+
+
+def _property(kind, *rest):
+    """(name, types) of the words after "property": two types if it is a list, which has its length first."""
+    if kind != "list":
+        (name,) = rest
+        return name, [_PLY_TYPES[kind]]
+    length, kind, name = rest
+    types = [_PLY_TYPES[length], _PLY_TYPES[kind]]
+    # A length, or an index of a vertex, that is no whole number means nothing.
+    if types[0][0] == "f" or (name in _PLY_CORNERS and types[1][0] == "f"):
+        raise ValueError
+    return name, types
+
+
+def _add(named, new, number):
+    if any(new[0] == old[0] for old in named):
+        raise MeshFileError(f"line {number} of the header: {new[0][:20]!r} is there twice")
+    named.append(new)
 
 
 class _Binary:
@@ -200,11 +229,22 @@ class _Ascii:
         except ValueError:
             raise MeshFileError(f"something that is not a number stands within {what}") from None
         if not kind.names:
-            return values.astype(kind)
+            return self._fit(values, kind, what)
         rows = np.empty(count, dtype=kind)
         for column, name in enumerate(kind.names):
-            rows[name] = values[column::width]
+            rows[name] = self._fit(values[column::width], kind[name], what)
         return rows
+
+    @staticmethod
+    def _fit(values, kind, what):
+        """As numbers of their type. What does not fit a whole number would become any other."""
+        if kind.kind in "iu":
+            low, high = np.iinfo(kind).min, np.iinfo(kind).max
+            if not ((values >= low) & (values <= high) & (values == np.floor(values))).all():
+                raise MeshFileError(f"a number within {what} is not of its type, a whole number from "
+                                    f"{low} to {high}")
+        with np.errstate(over="ignore"):  # beyond a float's range is infinite, which is told later
+            return values.astype(kind)
 
 
 def _read_ply(data, _notes):
@@ -212,20 +252,31 @@ def _read_ply(data, _notes):
     reader = (_Binary if order else _Ascii)(data, begin, order)
     points, faces = np.zeros((0, 3)), []
     for element, count, properties in elements:
+        if element == "vertex" and not set("xyz") <= {name for name, types in properties if len(types) == 1}:
+            raise MeshFileError("the vertices have no x, y and z")
+        if not properties:
+            continue
         if all(len(types) == 1 for _, types in properties):
             rows = reader.take([(name, types[0]) for name, types in properties], count, element)
             if element == "vertex":
-                if not {"x", "y", "z"} <= set(rows.dtype.names or ()):
-                    raise MeshFileError("the vertices have no x, y and z")
                 points = np.stack([rows[axis].astype(np.float64) for axis in "xyz"], axis=1)
             continue
+        places = []
         for number in range(count):
+            what, row = f"{element} {number}", {}
             for name, types in properties:
-                what = f"{element} {number}"
                 size = int(reader.take(types[0], 1, what)[0]) if len(types) == 2 else 1
-                values = reader.take(types[-1], size, what)
-                if element == "face" and name in ("vertex_indices", "vertex_index"):
-                    faces.append(values.tolist())
+                row[name] = reader.take(types[-1], size, what)
+            if element == "vertex":
+                places.append([float(row[axis][0]) for axis in "xyz"])
+            elif element == "face":
+                corners = next((row[name].tolist() for name in _PLY_CORNERS if name in row), None)
+                if corners is not None and len(corners) < 3:
+                    raise MeshFileError(f"{what}: a face needs three corners")
+                if corners is not None:
+                    faces.append(corners)
+        if element == "vertex":
+            points = np.array(places, dtype=np.float64).reshape(-1, 3)
     _check_faces(faces, len(points))
     return points, faces
 

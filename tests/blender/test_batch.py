@@ -1,32 +1,15 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The batch script of samples/: good files and bad ones side by side, and the table at the end."""
 
+import importlib.util
 import os
-import struct
 import sys
-from pathlib import Path
 
 import bpy
-import numpy as np
 import pytest
 from helpers import icosphere, positions, topology, torus
 from test_addon import run_blender
-
-SAMPLES = Path(os.environ.get("VBM_SAMPLES", Path(__file__).parents[2] / "samples")) / "blender"
-sys.path.insert(0, str(SAMPLES))
-import mesh_files  # noqa: E402
-
-
-def off(points, faces):
-    lines = [f"OFF\n{len(points)} {len(faces)} 0"]
-    lines += [f"{x} {y} {z}" for x, y, z in points]
-    lines += [" ".join(map(str, (len(face), *face))) for face in faces]
-    return "\n".join(lines) + "\n"
-
-
-def obj(points, faces):
-    return "".join([f"v {x} {y} {z}\n" for x, y, z in points]
-                   + ["f " + " ".join(f"{i + 1}//" for i in face) + "\n" for face in faces])
+from test_mesh_files import DEFECTIVE, SAMPLES, mesh_files, obj, off
 
 
 def shape(make):
@@ -35,8 +18,8 @@ def shape(make):
             [list(face.vertices) for face in source.data.polygons])
 
 
-def batch(*arguments):
-    return run_blender("--python", SAMPLES / "batch.py", "--", *arguments)
+def batch(*arguments, **environment):
+    return run_blender("--python", SAMPLES / "batch.py", "--", *arguments, **environment)
 
 
 def rows(printed):
@@ -97,74 +80,51 @@ def test_nothing_to_do(tmp_path, arguments):
     assert code == 2, printed
 
 
-# ---- Reading files -----------------------------------------------------------------------------------
-
-TETRAHEDRON = ([(0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1)],
-               [(0, 2, 1), (0, 1, 3), (1, 2, 3), (0, 3, 2)])
-
-
-def stl(count=4):
-    points, faces = TETRAHEDRON
-    return b"solid or not".ljust(80) + struct.pack("<I", count) + b"".join(
-        struct.pack("<12fH", 0, 0, 0, *[x for i in face for x in points[i]], 0) for face in faces)
-
-
-def ply(order, mark):
-    points, faces = TETRAHEDRON
-    head = (f"ply\nformat {mark} 1.0\ncomment x\nelement vertex 4\nproperty double x\n"
-            "property double y\nproperty double z\nproperty uchar red\nelement face 4\n"
-            "property list uchar int vertex_indices\nend_header\n").encode()
-    if not order:
-        return head + b"".join(b"%d %d %d 9\n" % p for p in points) + b"".join(
-            b"3 %d %d %d\n" % f for f in faces)
-    return head + b"".join(struct.pack(order + "3dB", *p, 9) for p in points) + b"".join(
-        struct.pack(order + "B3i", 3, *f) for f in faces)
+def test_files_that_break_rules_nobody_expects_broken(tmp_path):
+    meshes = tmp_path / "meshes"
+    meshes.mkdir()
+    for name, (data, _) in DEFECTIVE.items():
+        (meshes / name).write_bytes(data)
+    (meshes / "z.off").write_text(off(*shape(icosphere)))
+    code, printed = batch(meshes, tmp_path / "out")
+    assert code == 0, printed
+    table = rows(printed)
+    assert f"1 of {len(DEFECTIVE) + 1} files worked" in printed and " ok" in table["z.off"]
+    for name in DEFECTIVE:
+        assert "FAILED: " in table[name] and "a defect" not in table[name]
 
 
-GOOD = {
-    "a.off": off(*TETRAHEDRON).encode(), "crlf.off": off(*TETRAHEDRON).replace("\n", "\r\n").encode(),
-    "a.obj": obj(*TETRAHEDRON).encode(), "bom.obj": b"\xef\xbb\xbf" + obj(*TETRAHEDRON).encode(),
-    "a.stl": stl(), "a.ply": ply("<", "binary_little_endian"),
-    "big.ply": ply(">", "binary_big_endian"), "text.ply": ply("", "ascii"),
-}
+def test_a_defect_is_told_and_the_others_go_on(tmp_path, monkeypatch, capsys):
+    spec = importlib.util.spec_from_file_location("batch", SAMPLES / "batch.py")
+    script = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(script)
+
+    def read(path, notes):
+        if path.stem == "bad":
+            raise IndexError("list index out of range")
+        return mesh_files.read(path, notes)
+
+    monkeypatch.setattr(script, "read", read)
+    meshes = tmp_path / "meshes"
+    meshes.mkdir()
+    for name in ("bad", "good"):
+        (meshes / f"{name}.off").write_text(off(*shape(icosphere)))
+    monkeypatch.setattr(sys, "argv", ["blender", "--", str(meshes), str(tmp_path / "out")])
+    monkeypatch.setattr(sys.stdout, "reconfigure", lambda **_: None, raising=False)
+    assert script.main() == 0
+    said = capsys.readouterr()
+    table = rows(said.out)
+    assert "FAILED: a defect: IndexError: list index out of range" in table["bad.off"]
+    assert " ok" in table["good.off"]
+    assert "Traceback" in said.err
 
 
-@pytest.mark.parametrize("name", GOOD)
-def test_reading(tmp_path, name):
-    (tmp_path / name).write_bytes(GOOD[name])
-    points, faces = mesh_files.read(tmp_path / name)
-    at = np.asarray(points, dtype=float)
-    assert len(at) == 4 and len(faces) == 4
-    corners = {tuple(map(tuple, np.roll(at[list(face)], -k, axis=0)))
-               for face in faces for k in range(3)}
-    expected = np.array(TETRAHEDRON[0], dtype=float)
-    for face in TETRAHEDRON[1]:
-        assert tuple(map(tuple, expected[list(face)])) in corners
-
-
-BAD = {
-    "short.off": (off(*TETRAHEDRON)[:-9].encode(), "line 9: the file ends before face 3 of 4"),
-    "shorter.off": (off(*TETRAHEDRON)[:-12].encode(), "line 9: the face is shorter"),
-    "comma.obj": (b"v 0 0 0\nv 1,5 0 0\n", "line 2: '1,5' is not a number, it has a decimal comma"),
-    "zero.obj": (obj(*TETRAHEDRON).replace("f 1", "f 0").encode(), "counted from 1"),
-    "range.off": (off(TETRAHEDRON[0], [(0, 1, 9)]).encode(), "line 7: face 0 has vertex 9"),
-    "counts.off": (b"OFF\n4000000000 4 0\n0 0 0\n", "too short"),
-    "negative.off": (b"OFF\n-4 4 0\n", "line 2"),
-    "picture.off": (b"\x89PNG\r\n\x1a\n" + bytes(range(256)), "not an OFF file"),
-    "object.obj": (bytes([0x64, 0x86, 3, 0]) + bytes(range(256)), "not a Wavefront OBJ"),
-    "short.stl": (stl(1000000), "triangles need"),
-    "short.ply": (ply("<", "binary_little_endian")[:-3], "byte .*ends within face 3"),
-    "bomb.ply": (ply("<", "binary_little_endian").replace(b"vertex 4", b"vertex 400000000"),
-                 "ends within vertex"),
-    "endless.ply": (b"ply\nformat ascii 1.0\nelement vertex 3\n", "line 4: .*no end"),
-    "packed.off.gz": (b"\x1f\x8b\x08", "compressed"),
-    "empty.off": (b"", "empty"),
-}
-
-
-@pytest.mark.parametrize("name", BAD)
-def test_damaged_files_say_where(tmp_path, name):
-    data, message = BAD[name]
-    (tmp_path / name).write_bytes(data)
-    with pytest.raises(mesh_files.MeshFileError, match=message):
-        mesh_files.read(tmp_path / name)
+def test_a_name_that_is_no_text(tmp_path):
+    meshes = tmp_path / "meshes"
+    meshes.mkdir()
+    path = os.fsencode(meshes) + b"/latin_\xe4.off"
+    with open(path, "w") as file:
+        file.write(off(*shape(icosphere)))
+    code, printed = batch(meshes, tmp_path / "out")
+    assert code == 0, printed
+    assert os.listdir(os.fsencode(tmp_path / "out")) == [b"latin_\xe4.ply"]

@@ -5,6 +5,7 @@ import os
 import pathlib
 import shutil
 import subprocess
+import sys
 from xml.etree import ElementTree
 
 import numpy as np
@@ -12,12 +13,14 @@ import pytest
 
 from models import box, read_ply, torus, write_ply
 
+sys.path.insert(0, str(pathlib.Path(__file__).parents[1] / "support"))
+import nasty  # noqa: E402
+
 SERVER = pathlib.Path(os.environ["VBM_MESHLAB_TREE"]) / "usr/bin/meshlabserver"
 if not SERVER.exists():
     pytest.skip("this MeshLab has no meshlabserver", allow_module_level=True)
 if not shutil.which("xvfb-run"):
     pytest.skip("meshlabserver needs an X server: xvfb-run is not there", allow_module_level=True)
-
 
 
 def step(action, /, **values):
@@ -244,3 +247,19 @@ def test_parameter_out_of_its_range_says_so(tmp_path):
                         "-o", tmp_path / "out.ply")
     assert code != 0
     assert "The parameter method is 7" in said
+
+
+def test_names_come_out_as_they_went_in(tmp_path):
+    """Also where the locale says nothing of UTF-8."""
+    folder = nasty.write(tmp_path / "nasty")
+    names = nasty.index(folder, "names")
+    assert len(names) == 7
+    (tmp_path / "out").mkdir()
+    for name in names:
+        given, saved = folder / "names" / name, (tmp_path / "out" / name).with_suffix(".ply")
+        code, said = server("-i", given, "-s", script(tmp_path / "f.mlx", step("Rebuild Closed Surface")), "-o", saved,
+                            "-m", "vq", locale="C")
+        assert code == 0, said
+        vertices, shell = read_ply(saved)
+        assert closed(shell) and euler(vertices, shell) == 2
+    assert sorted(path.stem for path in (tmp_path / "out").iterdir()) == sorted(pathlib.Path(name).stem for name in names)
