@@ -7,6 +7,7 @@
 #include "reports.h"
 #include "signature.h"
 
+#include <algorithm>
 #include <cstring>
 #include <variant>
 
@@ -64,10 +65,8 @@ struct Field {
   std::variant<int32_t vbm_ball_surface_options::*, double vbm_ball_surface_options::*> member;
 };
 const Field kFields[] = {
-    {"style", &vbm_ball_surface_options::style},
-    {"bulge", &vbm_ball_surface_options::bulge},
-    {"bridge", &vbm_ball_surface_options::bridge},
-    {"shrink", &vbm_ball_surface_options::shrink},
+    {"style", &vbm_ball_surface_options::style},   {"bulge", &vbm_ball_surface_options::bulge},
+    {"bridge", &vbm_ball_surface_options::bridge}, {"shrink", &vbm_ball_surface_options::shrink},
     {"narrow", &vbm_ball_surface_options::narrow},
 };
 
@@ -75,15 +74,17 @@ BallSurfaceOptions surface_options(const Arguments &given) {
   BallSurfaceOptions options;
   for (const vbm_param &param : parameters()) {
     if (std::strcmp(param.operation, "surface_from_balls") || !given.given(param.name)) continue;
-    for (const Field &field : kFields) {
-      if (std::strcmp(field.name, param.name)) continue;
-      const py::object value = given[param.name];
-      if (auto *item = std::get_if<int32_t vbm_ball_surface_options::*>(&field.member))
-        options.*(*item) = item_for(param, value);
-      else
-        options.*std::get<double vbm_ball_surface_options::*>(field.member) =
-            number_for(param, value);
-    }
+    const auto field = std::find_if(std::begin(kFields), std::end(kFields), [&](const Field &f) {
+      return !std::strcmp(f.name, param.name);
+    });
+    if (field == std::end(kFields)) // the library is newer than this module
+      bad_argument(std::string("this module cannot set the library's option ") + param.name);
+    const py::object value = given[param.name];
+    if (auto *item = std::get_if<int32_t vbm_ball_surface_options::*>(&field->member))
+      options.*(*item) = item_for(param, value);
+    else
+      options.*std::get<double vbm_ball_surface_options::*>(field->member) =
+          number_for(param, value);
   }
   return options;
 }

@@ -207,12 +207,10 @@ void bind_surfaces(py::class_<Model> &type) {
 }
 
 void bind_axis_of(py::class_<Model> &type) {
-  const Signature axis("medial_axis",
-                       {{"method", "'voronoi'"},
-                        {"angle", "45.0", true},
-                        {"ratio", "8.0", true},
-                        {"progress", "None", true}},
-                       true);
+  std::vector<Parameter> parameters = parameters_of("medial_axis");
+  parameters[0].keyword_only = false; // the method
+  parameters.push_back({"progress", "None", true});
+  const Signature axis("medial_axis", std::move(parameters), true);
   type.def(
       "medial_axis",
       [axis](const Model &model, const py::args &args, const py::kwargs &kwargs) {
@@ -220,8 +218,10 @@ void bind_axis_of(py::class_<Model> &type) {
         AxisOptions options;
         if (given.given("method"))
           options.method = enum_value("medial_axis", "method", given["method"]);
-        if (given.given("angle")) options.angle = given["angle"].cast<double>();
-        if (given.given("ratio")) options.ratio = given["ratio"].cast<double>();
+        if (given.given("angle"))
+          options.angle = number_for(table_row("medial_axis", "angle"), given["angle"]);
+        if (given.given("ratio"))
+          options.ratio = number_for(table_row("medial_axis", "ratio"), given["ratio"]);
         return axis_to_python(run(given["progress"], [&](Context &context) {
           return medial_axis(context, model, options);
         }));

@@ -28,11 +28,13 @@ constexpr double kSurfaceGoal = 3, kCrustGoal = 1.3,
 constexpr double kMemoryGoal = 2;
 constexpr double kMegabytesGoal = 1500; // of the larger model
 
-/// Processor seconds of every stage of a call, in the order they came.
+/// Processor seconds of every stage of a call, in the order they came, and the longest time between
+/// two reports, which is what a user who cancels waits for.
 class Stages {
 public:
   void attach(vbm::Context &context) {
     context.set_progress([this](double, const char *name) {
+      heard(now().cpu);
       if (list_.empty() || list_.back().first != name) begin(name);
       return false;
     });
@@ -47,11 +49,22 @@ public:
     std::printf("    stages:");
     for (std::size_t i = 0; i + 1 < list_.size(); ++i)
       std::printf("%s %s %.2f", i ? "," : "", list_[i].first.c_str(), list_[i].second);
-    std::printf("\n");
+    std::printf("\n    longest time between two reports: %.0f ms, in: %s\n", 1000 * silence_,
+                silent_.c_str());
   }
 
 private:
+  void heard(double time) {
+    if (!list_.empty() && time - last_ > silence_) {
+      silence_ = time - last_;
+      silent_ = list_.back().first;
+    }
+    last_ = time;
+  }
+
   std::vector<std::pair<std::string, double>> list_;
+  std::string silent_; // the stage of the longest silence
+  double last_ = 0, silence_ = 0;
 };
 
 struct Task {
@@ -129,12 +142,19 @@ void run(const Mesh &mesh, bool faces, int repeat, double megabytes_goal) {
     const vbm::Surface surface = crust ? model.power_crust(context) : model.surface(context);
     stages.end();
   };
-  std::vector<Task> tasks(4);
+  std::vector<double> changed(radii);
+  for (std::size_t b = 0; b < changed.size(); ++b)
+    changed[b] *= 1 + 1e-9 * double((b * 2654435761u) % 1024) / 1024;
+  std::vector<Task> tasks(5);
   tasks[0] = {"CGAL: Delaunay", [&](Stages &) { bare_delaunay(samples); }, 0, {}};
   tasks[1] = {
       "CGAL: regular, of all poles", [&](Stages &) { bare_regular(centers, radii); }, 0, {}};
   tasks[2] = {"balls + interpolating surface", [&](Stages &s) { ours(s, false); }, 0, {}};
   tasks[3] = {"balls + power crust", [&](Stages &s) { ours(s, true); }, 0, {}};
+  tasks[4] = {"CGAL: regular, radii changed by 1e-9",
+              [&](Stages &) { bare_regular(centers, changed); },
+              0,
+              {}};
   measure(tasks, repeat);
 
   for (const Task &task : tasks) print_task(task);
@@ -142,6 +162,9 @@ void run(const Mesh &mesh, bool faces, int repeat, double megabytes_goal) {
                 c = tasks[3].median();
   const double bare = std::max(tasks[0].megabytes, tasks[1].megabytes); // one after the other
   const bool goals = !faces;
+  print_ratio("regular / Delaunay", r.cpu / d.cpu, r.wall / d.wall, 0, 0);
+  print_ratio("regular, radii changed / Delaunay", tasks[4].median().cpu / d.cpu,
+              tasks[4].median().wall / d.wall, 0, 0);
   print_ratio("surface / Delaunay", s.cpu / d.cpu, s.wall / d.wall, goals ? kSurfaceGoal : 0, 0);
   print_ratio("crust / (Delaunay + regular)", c.cpu / (d.cpu + r.cpu), c.wall / (d.wall + r.wall),
               goals ? kCrustGoal : 0, goals ? kCrustAim : 0);

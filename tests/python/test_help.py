@@ -46,6 +46,18 @@ def test_signatures_have_the_table_s_defaults(function):
     assert parameters["progress"].default is None
 
 
+@pytest.mark.parametrize("operation, function", [
+    ("medial_axis", vbm.Model.medial_axis), ("surface_from_balls", vbm.surface_from_balls),
+    ("cluster", vbm.Model.cluster), ("cluster", vbm.cluster), ("axis_surface", vbm.MedialAxis.surface),
+    ("curve_skeleton", vbm.MedialAxis.curve_skeleton)])
+def test_other_signatures_have_the_table_s_defaults(operation, function):
+    parameters = inspect.signature(function).parameters
+    rows = [row for row in vbm.parameters() if row["operation"] == operation]
+    assert rows
+    for row in rows:
+        assert parameters[row["name"]].default == row["default"], row["name"]
+
+
 def test_signatures():
     def names(function, kind):
         return [p.name for p in inspect.signature(function).parameters.values() if p.kind is kind]

@@ -274,7 +274,9 @@ VBM_API vbm_status vbm_model_surface(vbm_context *context, const vbm_model *mode
                                      vbm_surface **out);
 
 /* The power crust (8.2): the faces of the power diagram between inner and outer polar balls, oriented
- * outward, closed and manifold. A vertex at which all balls share a sample is that sample.
+ * outward, closed and manifold. A vertex at which all balls share a sample is that sample. The other
+ * samples, a few in a hundred, lie within or beside a face: seen up to an eighth of the distance to the
+ * nearest sample away from it, as vertices much nearer to each other than samples are made one.
  * Made of all balls, it has the components and handles of the inside tetrahedra: where polar balls alone do
  * not give them, for lack of samples, Voronoi balls are added on both sides; with all of them the crust is
  * the interpolating surface, which a note says.
