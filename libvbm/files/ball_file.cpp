@@ -48,8 +48,8 @@ void check(const BallFile &b) {
     if (name != "part" && name != "level")
       throw BadFile("there is no attribute \"" + name + "\": part and level are kept");
     if (values.size() != n)
-      throw BadFile("attribute " + name + " has " + std::to_string(values.size()) +
-                    " values for " + std::to_string(n) + " balls");
+      throw BadFile("attribute " + name + " has " + std::to_string(values.size()) + " values for " +
+                    std::to_string(n) + " balls");
   }
 }
 
@@ -80,7 +80,11 @@ BallFile read_balls(const std::filesystem::path &path) {
     const std::string extension = extension_of(path);
     if (extension != ".ply" && extension != ".csv" && extension != ".ma")
       return parse_balls({}, extension); // says which there are
-    return parse_balls(read_bytes(path), extension);
+    const auto check_head = [&](std::string_view head, uint64_t size) {
+      if (extension == ".ply") check_ply_head(head, size);
+      if (extension == ".ma") check_ma_head(head, size);
+    };
+    return parse_balls(read_bytes(path, check_head), extension);
   } catch (const BadFile &error) {
     throw BadFile(named(path, error));
   }

@@ -3,6 +3,7 @@
 
 #include "files/ball_file.h"
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
@@ -38,17 +39,23 @@ NoFile::NoFile(int code, std::filesystem::path path)
     : std::runtime_error(path.u8string() + ": " + std::generic_category().message(code)),
       code(code), path(std::move(path)) {}
 
-std::string read_bytes(const fs::path &path) {
+std::string read_bytes(const fs::path &path,
+                       const std::function<void(std::string_view head, uint64_t size)> &check) {
   std::error_code failed;
   if (fs::is_directory(path, failed)) throw NoFile(EISDIR, path);
   const File file(open(path, "rb"));
   if (!file) throw NoFile(errno ? errno : EIO, path);
   std::string bytes;
   const auto size = fs::file_size(path, failed); // not known of pipes
-  if (!failed && size < bytes.max_size()) bytes.reserve(std::size_t(size) + 1);
+  const bool known = !failed;
   char block[1 << 16];
-  while (const std::size_t count = std::fread(block, 1, sizeof block, file.get()))
+  while (const std::size_t count = std::fread(block, 1, sizeof block, file.get())) {
+    if (bytes.empty() && known) {
+      check({block, count}, std::max<uint64_t>(size, count));
+      if (size < bytes.max_size()) bytes.reserve(std::size_t(size) + 1);
+    }
     bytes.append(block, count);
+  }
   if (std::ferror(file.get())) throw NoFile(errno ? errno : EIO, path);
   return bytes;
 }

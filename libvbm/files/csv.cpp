@@ -68,15 +68,13 @@ BallFile read_csv(const std::string &bytes) {
     const std::size_t n = lines.number();
     const bool first = !separator;
     if (first)
-      separator = line.find(';') != line.npos   ? ';'
-                  : line.find(',') != line.npos ? ','
-                                                : '\t';
+      separator = line.find(';') != line.npos ? ';' : line.find(',') != line.npos ? ',' : '\t';
     split(line, separator, fields);
     if (first) {
       width = fields.size();
       if (width < 4)
-        bad_line(n, "there are " + std::to_string(width) +
-                        (width == 1 ? " column" : " columns") + ", but x, y, z and radius are four");
+        bad_line(n, "there are " + std::to_string(width) + (width == 1 ? " column" : " columns") +
+                        ", but x, y, z and radius are four");
       if (is_header(fields)) {
         at = {column(fields, {"x", "center_x", "cx"}), column(fields, {"y", "center_y", "cy"}),
               column(fields, {"z", "center_z", "cz"}), column(fields, {"radius", "r"})};
@@ -93,8 +91,8 @@ BallFile read_csv(const std::string &bytes) {
       }
     }
     if (fields.size() != width)
-      bad_line(n, "there are " + std::to_string(fields.size()) + " columns where the first line has " +
-                      std::to_string(width));
+      bad_line(n, "there are " + std::to_string(fields.size()) +
+                      " columns where the first line has " + std::to_string(width));
     for (int i = 0; i < 3; ++i)
       balls.centers.push_back(finite_number(fields[at[std::size_t(i)]], n, "a coordinate"));
     balls.radii.push_back(radius_number(fields[at[3]], n));
@@ -105,7 +103,7 @@ BallFile read_csv(const std::string &bytes) {
       balls.attributes[name].push_back(int32_t(value));
     }
   }
-  if (!separator) throw BadFile("the file is empty");
+  if (!separator) bad_line(1, "the file is empty");
   return balls;
 }
 

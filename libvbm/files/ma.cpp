@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Medial meshes as Q-MAT and the programs after it exchange them (Li et al., "Q-MAT: computing medial
-// axis transform by quadratic error minimization", 2015): a line of counts, then a line for every
-// vertex, edge and face. Further columns, which some of them write, are skipped; so are empty lines and
-// comments (#). Lines may be in any order.
+// Medial meshes as Q-MAT and the programs after it exchange them (Li et al., "Q-MAT: computing
+// medial axis transform by quadratic error minimization", 2015): a line of counts, then a line for
+// every vertex, edge and face. Further columns, which some of them write, are skipped; so are empty
+// lines and comments (#). Lines may be in any order.
 #include "files/formats.h"
 #include "files/text.h"
 
+#include <algorithm>
 #include <array>
 
 namespace vbm::files {
@@ -15,37 +16,84 @@ namespace {
 constexpr uint64_t kShortest[] = {9, 5, 7};
 constexpr const char *kNames[] = {"vertices", "edges", "faces"};
 
+using Counts = std::array<uint64_t, 3>;
+
+/// Of the first line, with `left` bytes after it.
+Counts read_counts(const std::vector<std::string_view> &words, std::size_t line, uint64_t left) {
+  if (words.size() < 2 || words.size() > 3)
+    bad_line(line, "the first line must be the numbers of vertices, edges and faces");
+  Counts counts{};
+  for (std::size_t i = 0; i < words.size(); ++i)
+    counts[i] = whole_number(words[i], line, "a number of elements");
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (counts[i] > (left + 1) / kShortest[i] || counts[i] > INT32_MAX)
+      bad_line(line, std::to_string(counts[i]) + " " + kNames[i] +
+                         " are announced, more than the file has room for");
+    left -= std::min(left, counts[i] * kShortest[i]);
+  }
+  return counts;
+}
+
+/// The words of a line, without comments.
+void words_of(const Lines &lines, std::vector<std::string_view> &words) {
+  split_words(lines.line(), words);
+  for (std::size_t i = 0; i < words.size(); ++i)
+    if (words[i].front() == '#') words.resize(i);
+}
+
+/// The edges, and the sides of faces that are not among them: readers of medial meshes expect every
+/// side.
+std::vector<int32_t> all_edges(const BallFile &balls) {
+  const auto side = [](int32_t a, int32_t b) {
+    return std::array<int32_t, 2>{std::min(a, b), std::max(a, b)};
+  };
+  std::vector<std::array<int32_t, 2>> given, more;
+  for (std::size_t i = 0; i < balls.edges.size(); i += 2)
+    given.push_back(side(balls.edges[i], balls.edges[i + 1]));
+  std::sort(given.begin(), given.end());
+  for (std::size_t i = 0; i < balls.triangles.size(); i += 3)
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto s = side(balls.triangles[i + k], balls.triangles[i + (k + 1) % 3]);
+      if (s[0] != s[1] && !std::binary_search(given.begin(), given.end(), s)) more.push_back(s);
+    }
+  std::sort(more.begin(), more.end());
+  more.erase(std::unique(more.begin(), more.end()), more.end());
+  std::vector<int32_t> edges = balls.edges;
+  for (const auto &s : more) edges.insert(edges.end(), s.begin(), s.end());
+  return edges;
+}
+
 } // namespace
+
+void check_ma_head(std::string_view head, uint64_t total) {
+  std::vector<std::string_view> words;
+  for (Lines lines(head); lines.next();) {
+    words_of(lines, words);
+    if (words.empty()) continue;
+    if (lines.position() < head.size() || head.size() == total)
+      read_counts(words, lines.number(), total - lines.position());
+    return;
+  }
+}
 
 BallFile read_ma(const std::string &bytes) {
   BallFile balls;
-  std::array<uint64_t, 3> announced{};
+  Counts announced{};
+  std::size_t header_line = 0;
   std::vector<std::string_view> words;
   std::vector<std::size_t> edge_lines, face_lines;
-  std::vector<std::string_view> corners; // of edges, then of faces: checked when all balls are known
+  std::vector<std::string_view>
+      corners; // of edges, then of faces: checked when all balls are known
   std::vector<std::string_view> face_corners;
-  bool header = false;
   for (Lines lines(bytes); lines.next();) {
-    split_words(lines.line(), words);
-    for (std::size_t i = 0; i < words.size(); ++i)
-      if (words[i].front() == '#') words.resize(i);
+    words_of(lines, words);
     if (words.empty()) continue;
     const std::size_t n = lines.number();
-    if (!header) {
-      if (words.size() < 2 || words.size() > 3)
-        bad_line(n, "the first line must be the numbers of vertices, edges and faces");
-      for (std::size_t i = 0; i < words.size(); ++i)
-        announced[i] = whole_number(words[i], n, "a number of elements");
-      uint64_t left = bytes.size() - lines.position();
-      for (std::size_t i = 0; i < 3; ++i) {
-        if (announced[i] > (left + 1) / kShortest[i] || announced[i] > INT32_MAX)
-          bad_line(n, std::to_string(announced[i]) + " " + kNames[i] +
-                          " are announced, more than the file has room for");
-        left -= std::min(left, announced[i] * kShortest[i]);
-      }
+    if (!header_line) {
+      announced = read_counts(words, n, bytes.size() - lines.position());
       balls.centers.reserve(3 * announced[0]);
       balls.radii.reserve(announced[0]);
-      header = true;
+      header_line = n;
       continue;
     }
     const auto at_least = [&](std::size_t count, const char *what) {
@@ -68,13 +116,13 @@ BallFile read_ma(const std::string &bytes) {
       bad_line(n, shown(words[0]) + " begins no line of a medial mesh: v, e or f do");
     }
   }
-  if (!header) throw BadFile("the file is empty");
+  if (!header_line) bad_line(1, "the file is empty");
   const std::array<std::size_t, 3> found = {balls.radii.size(), edge_lines.size(),
                                             face_lines.size()};
   for (std::size_t i = 0; i < 3; ++i)
     if (found[i] != announced[i])
-      throw BadFile(std::to_string(announced[i]) + " " + kNames[i] + " are announced, but there are " +
-                    std::to_string(found[i]));
+      bad_line(header_line, std::to_string(announced[i]) + " " + kNames[i] +
+                                " are announced, but there are " + std::to_string(found[i]));
   for (std::size_t i = 0; i < corners.size(); ++i)
     balls.edges.push_back(
         index_below(corners[i], found[0], edge_lines[i / 2], "a vertex of the edge"));
@@ -86,8 +134,8 @@ BallFile read_ma(const std::string &bytes) {
 
 std::string write_ma(const BallFile &balls) {
   std::string out;
-  for (const std::size_t count :
-       {balls.radii.size(), balls.edges.size() / 2, balls.triangles.size() / 3})
+  const std::vector<int32_t> edges = all_edges(balls);
+  for (const std::size_t count : {balls.radii.size(), edges.size() / 2, balls.triangles.size() / 3})
     out += (out.empty() ? "" : " ") + std::to_string(count);
   out += "\n";
   for (std::size_t i = 0; i < balls.radii.size(); ++i) {
@@ -105,7 +153,7 @@ std::string write_ma(const BallFile &balls) {
       if (i % width + 1 == width) out += "\n";
     }
   };
-  lists("e ", balls.edges, 2);
+  lists("e ", edges, 2);
   lists("f ", balls.triangles, 3);
   return out;
 }

@@ -31,14 +31,43 @@ void check_sizes(const PlyHeader &header, uint64_t left) {
     // The last line of a text needs no end.
     const uint64_t room = each ? (left + (header.format == PlyFormat::ascii)) / each : 0;
     if (element.count > room || element.count > INT32_MAX)
-      throw BadFile(std::to_string(element.count) + " elements \"" + element.name +
-                    "\" are announced, more than the " + std::to_string(left) +
-                    " bytes after them have room for");
+      bad_line(element.line, std::to_string(element.count) + " elements \"" + element.name +
+                                 "\" are announced, more than the " + std::to_string(left) +
+                                 " bytes after them have room for");
     left -= std::min(left, element.count * each);
   }
 }
 
+/// That there are vertices, once, and that these are balls.
+void check_elements(const PlyHeader &header) {
+  const PlyElement *vertex = nullptr;
+  for (const PlyElement &e : header.elements) {
+    if (e.name == "vertex") {
+      if (vertex) bad_line(e.line, "this is the second element \"vertex\"");
+      vertex = &e;
+    } else if (e.name == "edge" &&
+               (property_of(e, {"vertex1"}) < 0 || property_of(e, {"vertex2"}) < 0)) {
+      bad_line(e.line, "the edges have no vertices");
+    }
+  }
+  if (!vertex)
+    bad_line(header.lines, "there is no element \"vertex\" before this end of the header");
+  const std::initializer_list<const char *> names[] = {{"x"}, {"y"}, {"z"}, {"radius", "r"}};
+  for (const auto &name : names) {
+    const int p = property_of(*vertex, name);
+    if (p < 0 || vertex->properties[std::size_t(p)].list)
+      bad_line(vertex->line, std::string("the vertices have no ") + *name.begin());
+  }
+}
+
 } // namespace
+
+int property_of(const PlyElement &element, std::initializer_list<const char *> names) {
+  for (const char *name : names)
+    for (std::size_t i = 0; i < element.properties.size(); ++i)
+      if (element.properties[i].name == name) return int(i);
+  return -1;
+}
 
 std::size_t size_of(PlyType type) {
   switch (type) {
@@ -66,11 +95,11 @@ uint64_t PlyElement::least_size(PlyFormat format) const {
   return size;
 }
 
-PlyHeader read_ply_header(std::string_view bytes) {
+PlyHeader read_ply_header(std::string_view bytes, uint64_t total) {
   PlyHeader header;
   Lines lines(bytes);
   std::vector<std::string_view> words;
-  if (bytes.empty()) throw BadFile("the file is empty");
+  if (bytes.empty()) bad_line(1, "the file is empty");
   if (!lines.next() || lines.line() != "ply") throw BadFile("line 1: no PLY file begins like this");
   bool format = false;
   while (lines.next()) {
@@ -81,7 +110,8 @@ PlyHeader read_ply_header(std::string_view bytes) {
       if (!format) bad_line(n, "the header names no format");
       header.size = lines.position();
       header.lines = n;
-      check_sizes(header, bytes.size() - header.size);
+      check_sizes(header, total - header.size);
+      check_elements(header);
       return header;
     }
     if (words[0] == "format") {
@@ -101,6 +131,7 @@ PlyHeader read_ply_header(std::string_view bytes) {
       if (header.elements.size() == kMostElements) bad_line(n, "there are too many elements");
       PlyElement element;
       element.name = std::string(words[1]);
+      element.line = n;
       element.count = whole_number(words[2], n, "the number of elements");
       header.elements.push_back(std::move(element));
     } else if (words[0] == "property") {

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <initializer_list>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -25,6 +26,7 @@ struct PlyProperty {
 struct PlyElement {
   std::string name;
   uint64_t count = 0;
+  std::size_t line = 0; // of the header
   std::vector<PlyProperty> properties;
 
   /// Bytes that one of them takes at least.
@@ -34,11 +36,15 @@ struct PlyElement {
 struct PlyHeader {
   PlyFormat format = PlyFormat::ascii;
   std::vector<PlyElement> elements;
-  std::size_t size = 0;       // bytes: where the data begin
+  std::size_t size = 0; // bytes: where the data begin
   std::size_t lines = 0;
 };
 
-/// Throws BadFile for a header that is wrong, or that announces more than the file has room for.
-PlyHeader read_ply_header(std::string_view bytes);
+/// Of a file of `total` bytes, of which `bytes` are the first. Throws BadFile for a header that is
+/// wrong, that announces more than the file has room for, or of a file without balls.
+PlyHeader read_ply_header(std::string_view bytes, uint64_t total);
+
+/// Where an element has a property by one of these names; -1: nowhere.
+int property_of(const PlyElement &element, std::initializer_list<const char *> names);
 
 } // namespace vbm::files

@@ -9,11 +9,20 @@ namespace {
 std::string escaped(const std::string &text) {
   std::string out;
   for (char c : text) switch (c) {
-    case '&': out += "&amp;"; break;
-    case '<': out += "&lt;"; break;
-    case '>': out += "&gt;"; break;
-    case '"': out += "&quot;"; break;
-    default: out += static_cast<unsigned char>(c) < 32 ? '_' : c; // XML allows no control characters
+    case '&':
+      out += "&amp;";
+      break;
+    case '<':
+      out += "&lt;";
+      break;
+    case '>':
+      out += "&gt;";
+      break;
+    case '"':
+      out += "&quot;";
+      break;
+    default:
+      out += static_cast<unsigned char>(c) < 32 ? '_' : c; // XML allows no control characters
     }
   return out;
 }
@@ -26,6 +35,7 @@ std::string write_urdf(const BallFile &balls, const std::string &name) {
   std::string out = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<robot name=\"" + escaped(name) +
                     "\">\n  <link name=\"" + escaped(name) + "\">\n";
   for (std::size_t i = 0; i < balls.radii.size(); ++i) {
+    if (!(balls.radii[i] > 0)) continue; // a point collides with nothing, and simulators refuse it
     out += "    <collision>\n      <origin xyz=\"";
     for (std::size_t a = 0; a < 3; ++a) {
       if (a) out += " ";

@@ -124,9 +124,6 @@ void write_balls(const QString &path, MeshModel &layer) {
     file.centers = plain(source.layer.points);
     file.radii = plain(source.layer.radius);
     file.triangles = source.layer.triangles;
-    // Medial meshes list the sides of their faces as edges.
-    for (const Edge &side : sides_of(file.triangles))
-      file.edges.insert(file.edges.end(), {side.first, side.second});
     vbm::files::write_balls(path_of(path), file);
   });
 }
