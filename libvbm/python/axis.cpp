@@ -3,11 +3,11 @@
 #include "bind.h"
 #include "errors.h"
 #include "progress.h"
+#include "pruning.h"
 #include "reports.h"
 #include "signature.h"
 
 #include <memory>
-#include <optional>
 
 namespace vbm::python {
 
@@ -22,20 +22,6 @@ const char *const kAxisDoc =
     "as\nit is now, and stay as they are when it changes. v stands for vertices, t for triangles, "
     "e "
     "for\nedges of curves.";
-
-const char *const kPruneDoc =
-    "Remove the parts of level 1 that are not more significant than a threshold, least "
-    "significant\n"
-    "first, where the topology stays; stayed lists the parts that had to stay.\n\n"
-    "  triangles   remove parts of at most so many triangles, ...\n"
-    "  volume      ... then those with at most this share of the tetrahedra by volume (0 to 1), "
-    "...\n"
-    "  balls       ... then those with at most this share of the balls' exact volume (0 to 1), "
-    "...\n"
-    "  width       ... then those whose samples are at most this far apart, as a share of the\n"
-    "              bounding-box diagonal, ...\n"
-    "  angle       ... then those whose samples are seen under at most this angle, in degrees\n"
-    "  iterations  how often each is done, with parts found anew\n";
 
 // One axis; what arrays keep alive.
 struct State {
@@ -86,8 +72,8 @@ const PartField kPartFields[] = {
     {"area", "Area of a sheet."},
     {"length", "Length of a curve."},
     {"volume", "Share of the shape's volume that it stands for, 0 to 1."},
-    {"width", "Largest distance of two samples it is equidistant from."},
-    {"angle", "Largest angle under which such samples are seen from it, in degrees."},
+    {"width", "Largest triangle_width, or of a curve edge_width."},
+    {"angle", "Largest triangle_angle, or of a curve edge_angle, in degrees."},
     {"position", "Its middle, (x, y, z)."},
     {"balls", "The model's inner balls that go with it, int32."},
 };
@@ -119,32 +105,12 @@ py::list parts(const MedialAxis &self) {
   return out;
 }
 
-std::optional<double> threshold(const Arguments &given, const char *name) {
-  const py::object value = given[name];
-  if (value.is_none()) return {};
-  return value.cast<double>();
-}
-
 void prune(MedialAxis &self, const Arguments &given) {
-  const std::pair<const char *, vbm_measure> measures[] = {{"triangles", VBM_MEASURE_TRIANGLES},
-                                                           {"volume", VBM_MEASURE_VOLUME},
-                                                           {"balls", VBM_MEASURE_BALLS},
-                                                           {"width", VBM_MEASURE_WIDTH},
-                                                           {"angle", VBM_MEASURE_ANGLE}};
-  std::shared_ptr<State> state = self.states.back();
-  for (const auto &[name, measure] : measures) {
-    const std::optional<double> most = threshold(given, name);
-    if (!most) continue;
-    PruneOptions options;
-    options.measure = measure;
-    options.threshold = *most;
-    if (given.given("iterations")) options.iterations = given["iterations"].cast<int32_t>();
-    state = std::make_shared<State>(State{run(
-        given["progress"], [&](Context &context) { return state->axis.prune(context, options); })});
-  }
-  if (state == self.states.back())
-    bad_argument("prune() needs a threshold: triangles, volume, balls, width or angle");
-  self.states.push_back(std::move(state));
+  const std::vector<PruneOptions> steps = pruning_steps(given);
+  const auto state = self.states.back();
+  Axis left = run(given["progress"],
+                  [&](Context &context) { return state->axis.prune_steps(context, steps); });
+  self.states.push_back(std::make_shared<State>(State{std::move(left)}));
 }
 
 Indices one_or_more(const Arguments &given, const char *name, const char *element) {
@@ -216,10 +182,33 @@ void bind_arrays(py::class_<MedialAxis> &type) {
       "For every triangle the two places it is exactly equidistant from, (t, 2, 3).");
   type.def_property_readonly("triangle_part", viewed(&Axis::triangle_part),
                              "For every triangle its part, (t,) int32.");
+  type.def_property_readonly(
+      "triangle_width", viewed(&Axis::triangle_width),
+      "For every triangle the distance of these places, the feature's width there, (t,) float64.");
+  type.def_property_readonly(
+      "triangle_angle", viewed(&Axis::triangle_angle),
+      "For every triangle its object angle in degrees, 0 to 180: that under which these places are "
+      "seen\nfrom its ball, the mean of its corners', (t,) float64.");
   type.def_property_readonly("edges", viewed(&Axis::curves),
                              "Curves: edges of no triangle, (e, 2) int32 vertex indices.");
   type.def_property_readonly("edge_part", viewed(&Axis::curve_part),
                              "For every such edge its part, (e,) int32.");
+  type.def_property_readonly(
+      "edge_width", viewed(&Axis::curve_width),
+      "For every such edge the smallest distance of two of the three samples it is equidistant "
+      "from,\n(e,) float64; about 1.7 radii in a round tube.");
+  type.def_property_readonly(
+      "edge_angle", viewed(&Axis::curve_angle),
+      "For every such edge the angle in degrees under which these are seen from its ball, (e,) "
+      "float64.");
+  type.def_property_readonly(
+      "contact_edges", viewed(&Axis::contact_edges),
+      "Contact curves: edges at which triangles of two parts or more meet, (c, 2) int32 vertex "
+      "indices.\nSource: thesis 7.5.1, 7.5.3.");
+  type.def_property_readonly("contact_node", viewed(&Axis::contact_node),
+                             "For every contact edge its node, a row of topology_graph()['nodes'], "
+                             "(c,) int32. Nodes where "
+                             "only\ncurves meet other parts have no edge.");
   type.def_property_readonly(
       "kept_balls",
       [](const MedialAxis &self) {
@@ -259,8 +248,10 @@ void bind_axis(py::module_ &module) {
 
   type.def_property_readonly(
       "stayed", stayed,
-      "Parts of level 1 that the last prune() found below its last threshold and left, least "
-      "significant\nfirst: a list of (part, why), why as in Part.locked.");
+      "Parts of level 1 that are left though they are below the threshold of the last prune(), "
+      "least significant\nfirst: a list of (part, why), why as in Part.locked. Of several "
+      "thresholds "
+      "or steps those of the first,\nthen of the next that are not listed yet, and so on.");
   const Signature volumes("part_ball_volumes", {{"progress", "None", true}}, true);
   type.def(
       "part_ball_volumes",
@@ -281,15 +272,7 @@ void bind_axis(py::module_ &module) {
                "balls and\nits dual shape\" (1995).")
           .c_str());
 
-  const Signature pruning("prune",
-                          {{"triangles", "None"},
-                           {"volume", "None"},
-                           {"balls", "None"},
-                           {"width", "None"},
-                           {"angle", "None"},
-                           {"iterations", "1", true},
-                           {"progress", "None", true}},
-                          true);
+  const Signature pruning = pruning_signature();
   type.def(
       "prune",
       [pruning](MedialAxis &self, const py::args &args, const py::kwargs &kwargs) {

@@ -49,7 +49,8 @@ std::vector<Param> pruning_params() {
   Param small = threshold;
   small.name = kFirst + small.name;
   small.label = "Small Parts: Triangles";
-  small.help = "First, parts at the border with no more triangles than this go";
+  small.help = "First, parts at the border with no more triangles than this, and curves with no "
+               "more edges, go";
   Param times = iterations;
   times.name = kFirst + times.name;
   times.label = "Small Parts: Iterations";

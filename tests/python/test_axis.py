@@ -250,7 +250,8 @@ def test_pruning_lists_what_stays_and_why():
     for part, why in axis.stayed:
         assert axis.parts[part].level == 1 and axis.parts[part].locked == why != ""
     assert [part for part, _ in axis.stayed] == sorted(
-        (i for i, p in enumerate(axis.parts) if p.level == 1), key=lambda i: axis.parts[i].volume
+        (i for i, p in enumerate(axis.parts) if p.level == 1),
+        key=lambda i: axis.parts[i].triangles + axis.parts[i].curve_edges,
     )
     if axis.stayed:
         assert str(axis.stayed[0][0]) in " ".join(axis.notes)

@@ -42,6 +42,64 @@ bool all_below(const int32_t *data, size_t count, size_t limit) {
   return std::all_of(data, data + count, [&](int32_t i) { return i >= 0 && size_t(i) < limit; });
 }
 
+/// Every triangle or curve's edge has a width and an angle, of which its part has the largest.
+void check_sizes(const vbm_axis *axis, const int32_t *(*get_part)(const vbm_axis *, size_t *),
+                 const double *(*get_width)(const vbm_axis *, size_t *),
+                 const double *(*get_angle)(const vbm_axis *, size_t *), Problems &problems) {
+  const auto parts = view(axis, vbm_axis_parts);
+  const auto part = view(axis, get_part);
+  const auto width = view(axis, get_width), angle = view(axis, get_angle);
+  problems.require(width.size == part.size && angle.size == part.size, "widths or angles missing");
+  if (width.size != part.size || angle.size != part.size) return;
+  std::vector<double> widest(parts.size, 0), largest(parts.size, 0);
+  std::vector<uint8_t> there(parts.size, 0);
+  for (size_t i = 0; i < part.size; ++i) {
+    problems.require(width.data[i] >= 0 && angle.data[i] >= 0 && angle.data[i] <= 180,
+                     "a width or an angle out of range", i);
+    const auto p = size_t(part.data[i]);
+    there[p] = 1;
+    widest[p] = std::max(widest[p], width.data[i]);
+    largest[p] = std::max(largest[p], angle.data[i]);
+  }
+  for (size_t p = 0; p < parts.size; ++p)
+    problems.require(!there[p] || (std::fabs(parts.data[p].width - widest[p]) <= 1e-9 * widest[p] &&
+                                   std::fabs(parts.data[p].angle - largest[p]) <= 1e-5),
+                     "a part's width or angle is not its largest", p);
+}
+
+/// Contact curves are edges of the axis, each of triangles of two parts or more, and all of those.
+void check_contacts(const vbm_axis *axis, Problems &problems) {
+  const auto triangles = view(axis, vbm_axis_triangles);
+  const auto part = view(axis, vbm_axis_triangle_part);
+  const auto edges = view(axis, vbm_axis_contact_edges);
+  const auto node = view(axis, vbm_axis_contact_node);
+  const auto nodes = view(axis, vbm_axis_nodes);
+  problems.require(node.size == edges.size && all_below(node.data, node.size, nodes.size),
+                   "nodes of contact edges do not fit");
+  std::map<Pair, std::pair<int32_t, bool>> sides; // per edge: a part, and whether there are more
+  for (size_t t = 0; t < part.size; ++t)
+    for (int i = 0; i < 3; ++i) {
+      const Pair e = sorted(triangles.data[3 * t + i], triangles.data[3 * t + (i + 1) % 3]);
+      auto &side = sides.emplace(e, std::pair(part.data[t], false)).first->second;
+      side.second |= side.first != part.data[t];
+    }
+  size_t expected = 0;
+  for (const auto &[e, side] : sides) expected += side.second;
+  problems.require(edges.size == expected, "not all contact edges are listed");
+  std::vector<int32_t> at(view(axis, vbm_axis_radii).size, -1); // per vertex: its node
+  for (size_t e = 0; e < edges.size; ++e) {
+    const int32_t a = edges.data[2 * e], b = edges.data[2 * e + 1];
+    const auto found = sides.find(sorted(a, b));
+    problems.require(found != sides.end() && found->second.second, "no contact at an edge", e);
+    if (found == sides.end()) continue;
+    found->second.second = false; // not twice
+    for (int32_t v : {a, b}) {
+      problems.require(at[v] < 0 || at[v] == node.data[e], "a contact vertex of two nodes", e);
+      at[v] = node.data[e];
+    }
+  }
+}
+
 void check_parts(const vbm_axis *axis, const vbm_axis_report &report, size_t inner,
                  Problems &problems) {
   const auto parts = view(axis, vbm_axis_parts);
@@ -66,6 +124,9 @@ void check_parts(const vbm_axis *axis, const vbm_axis_report &report, size_t inn
   }
   problems.require(triangles == report.triangles, "parts' triangles are not the whole's");
   problems.require(curves == report.curve_edges, "parts' edges are not the whole's");
+  check_sizes(axis, vbm_axis_triangle_part, vbm_axis_triangle_width, vbm_axis_triangle_angle,
+              problems);
+  check_sizes(axis, vbm_axis_curve_part, vbm_axis_curve_width, vbm_axis_curve_angle, problems);
   problems.require(volume <= 1 + 1e-6, "parts have more volume than there is");
   const uint64_t *offsets = nullptr;
   size_t count = 0;
@@ -115,7 +176,7 @@ public:
       if (!prune(measure, threshold)) return problems_;
     if (!remove_one()) return problems_;
     surface(0);
-    if (!prune(VBM_MEASURE_TRIANGLES, 1e9)) return problems_;
+    if (!prune_all()) return problems_;
     surface(1);
     return problems_;
   }
@@ -165,6 +226,20 @@ private:
     options.iterations = 2;
     vbm_axis *made = nullptr;
     return take("pruning", vbm_axis_prune(context_, axis_, &options, &made), made);
+  }
+
+  /// By two measures in one call.
+  bool prune_all() {
+    vbm_prune_options first, second;
+    vbm_prune_options_init(&first, sizeof first);
+    vbm_prune_options_init(&second, sizeof second);
+    first.iterations = second.iterations = 2;
+    first.measure = VBM_MEASURE_BALLS;
+    first.threshold = 0.05;
+    second.threshold = 1e9;
+    const vbm_prune_options *steps[] = {&first, &second};
+    vbm_axis *made = nullptr;
+    return take("pruning in steps", vbm_axis_prune_steps(context_, axis_, steps, 2, &made), made);
   }
 
   bool remove_one() {
@@ -282,6 +357,7 @@ Problems check_axis(const vbm_axis *axis, const vbm_model *model, int64_t euler,
   problems.require(counted == report.euler && counted == euler,
                    "Euler's number is not the solid's");
   check_parts(axis, report, kept.size, problems);
+  check_contacts(axis, problems);
   return problems;
 }
 

@@ -88,6 +88,12 @@ std::string snapshot(const vbm_axis *axis) {
   append(out, axis, vbm_axis_triangle_part);
   append(out, axis, vbm_axis_curves, 2);
   append(out, axis, vbm_axis_curve_part);
+  append(out, axis, vbm_axis_triangle_width);
+  append(out, axis, vbm_axis_triangle_angle);
+  append(out, axis, vbm_axis_curve_width);
+  append(out, axis, vbm_axis_curve_angle);
+  append(out, axis, vbm_axis_contact_edges, 2);
+  append(out, axis, vbm_axis_contact_node);
   append(out, axis, vbm_axis_kept_balls);
   append(out, axis, vbm_axis_nodes, 3);
   append(out, axis, vbm_axis_part_balls, report.parts);

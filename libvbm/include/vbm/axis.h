@@ -75,17 +75,25 @@ VBM_API const char *vbm_axis_notes(const vbm_axis *axis);
 VBM_API const double *vbm_axis_vertices(const vbm_axis *axis, size_t *count);
 VBM_API const double *vbm_axis_radii(const vbm_axis *axis, size_t *count);
 /* Triangles, count x 3 vertex indices; for each the two samples it is equidistant from (count x 2,
- * samples of the model; with POWER_SHAPE those nearest to the two singular points), and its part. The distance of the two samples is the feature's width there,
- * and with the radius gives the object angle, 2 asin(width / (2 radius)). */
+ * samples of the model; with POWER_SHAPE those nearest to the two singular points), and its part. */
 VBM_API const int32_t *vbm_axis_triangles(const vbm_axis *axis, size_t *count);
 VBM_API const int32_t *vbm_axis_triangle_samples(const vbm_axis *axis, size_t *count);
 /* For each triangle the two places it is exactly equidistant from (count x 6): its samples', or with
  * POWER_SHAPE those of its singular points. */
 VBM_API const double *vbm_axis_triangle_points(const vbm_axis *axis, size_t *count);
 VBM_API const int32_t *vbm_axis_triangle_part(const vbm_axis *axis, size_t *count);
+/* The feature's width at each triangle: the distance of the two places, in the input's units. The object
+ * angle, degrees, 0 to 180: that under which they are seen from the triangle's ball, the mean of its
+ * corners'; 2 asin(width / (2 radius)). The largest of a part's are vbm_part.width and angle. */
+VBM_API const double *vbm_axis_triangle_width(const vbm_axis *axis, size_t *count);
+VBM_API const double *vbm_axis_triangle_angle(const vbm_axis *axis, size_t *count);
 /* Curves: edges of no triangle, count x 2 vertex indices, and the part of each. */
 VBM_API const int32_t *vbm_axis_curves(const vbm_axis *axis, size_t *count);
 VBM_API const int32_t *vbm_axis_curve_part(const vbm_axis *axis, size_t *count);
+/* Their widths and object angles, as of triangles. A curve's edge is equidistant from three samples; its
+ * width is the smallest distance of two of them (about 1.7 radii in a round tube). */
+VBM_API const double *vbm_axis_curve_width(const vbm_axis *axis, size_t *count);
+VBM_API const double *vbm_axis_curve_angle(const vbm_axis *axis, size_t *count);
 
 /* ---- Parts (7.5.1) ------------------------------------------------------------------------------ */
 
@@ -106,8 +114,8 @@ typedef struct vbm_part {
   double area;         /* of a sheet                                                                  */
   double length;       /* of a curve                                                                  */
   double volume;       /* share, 0 to 1, of the solid's tetrahedra that go with it (7.5.2)            */
-  double width;        /* largest distance of two samples a triangle is equidistant from              */
-  double angle;        /* degrees: the largest angle under which such samples are seen from the axis  */
+  double width;        /* largest vbm_axis_triangle_width(), or of a curve vbm_axis_curve_width()     */
+  double angle;        /* degrees: largest vbm_axis_triangle_angle() or vbm_axis_curve_angle()        */
   double position[3];  /* its middle                                                                  */
 } vbm_part;
 
@@ -122,6 +130,11 @@ VBM_API const int32_t *vbm_axis_part_balls(const vbm_axis *axis, const uint64_t 
 VBM_API const double *vbm_axis_nodes(const vbm_axis *axis, size_t *count);
 VBM_API const int32_t *vbm_axis_part_nodes(const vbm_axis *axis, const uint64_t **offsets,
                                            size_t *count);
+/* The contact curves themselves (7.5.1): edges at which triangles of two parts or more meet, count x 2
+ * vertex indices, and for each its node of the topology graph. A node where a curve meets other parts
+ * is a vertex, and may have no edge. */
+VBM_API const int32_t *vbm_axis_contact_edges(const vbm_axis *axis, size_t *count);
+VBM_API const int32_t *vbm_axis_contact_node(const vbm_axis *axis, size_t *count);
 /* For every inner ball of the model 1 if it is left, 0 if it went with a part that was removed. */
 VBM_API const uint8_t *vbm_axis_kept_balls(const vbm_axis *axis, size_t *count);
 /* The exact volume that goes with each part: the share, 0 to 1, of the union of all the model's inner
@@ -137,7 +150,7 @@ VBM_API vbm_status vbm_axis_part_ball_volumes(vbm_context *context, const vbm_ax
 
 /* How significant a part is. */
 typedef enum vbm_measure {
-  VBM_MEASURE_TRIANGLES = 0, /* its triangles                                                     */
+  VBM_MEASURE_TRIANGLES = 0, /* its triangles; of a curve its edges                               */
   VBM_MEASURE_VOLUME = 1,    /* vbm_part.volume: its share of the tetrahedra, 0 to 1              */
   VBM_MEASURE_WIDTH = 2,     /* vbm_part.width over the model's bounding-box diagonal             */
   VBM_MEASURE_ANGLE = 3,     /* vbm_part.angle, degrees                                           */
@@ -159,8 +172,18 @@ VBM_API void vbm_prune_options_init(vbm_prune_options *options, size_t struct_si
 VBM_API vbm_status vbm_axis_prune(vbm_context *context, const vbm_axis *axis,
                                   const vbm_prune_options *options, vbm_axis **out);
 
-/* Of an axis that vbm_axis_prune() made: its parts of level 1 that are not more significant than the
- * threshold and had to stay, least significant first, and *locks, as many, says why (vbm_lock). */
+/* Several prunings in one call, each of what the one before left, as in the scheme of 7.7: few triangles
+ * twice, then a per cent of the volume. Views are made, and one axis, at the end only.
+ *   steps, count  pointers to options; NULL for defaults. None at all: the axis as it is
+ * Errors: as vbm_axis_prune(), saying which of several steps, from 0. */
+VBM_API vbm_status vbm_axis_prune_steps(vbm_context *context, const vbm_axis *axis,
+                                        const vbm_prune_options *const *steps, size_t count,
+                                        vbm_axis **out);
+
+/* Of an axis that pruning made: its parts of level 1 that are not more significant than the threshold
+ * and had to stay, least significant first, and *locks, as many, says why (vbm_lock). After several
+ * steps those of the first, then those of the next that are not yet listed, ...; all of them parts that
+ * are left at the end. */
 VBM_API const int32_t *vbm_axis_stayed(const vbm_axis *axis, const int32_t **locks, size_t *count);
 
 /* Remove the parts with these numbers, outer ones first: a part may go when others that are named

@@ -30,12 +30,18 @@ public:
   View<std::int32_t, 2> triangle_samples() const { return view<2>(vbm_axis_triangle_samples); }
   View<double, 6> triangle_points() const { return view<6>(vbm_axis_triangle_points); }
   View<std::int32_t> triangle_part() const { return view(vbm_axis_triangle_part); }
+  View<double> triangle_width() const { return view(vbm_axis_triangle_width); }
+  View<double> triangle_angle() const { return view(vbm_axis_triangle_angle); }
   View<std::int32_t, 2> curves() const { return view<2>(vbm_axis_curves); }
   View<std::int32_t> curve_part() const { return view(vbm_axis_curve_part); }
+  View<double> curve_width() const { return view(vbm_axis_curve_width); }
+  View<double> curve_angle() const { return view(vbm_axis_curve_angle); }
   View<vbm_part> parts() const { return view(vbm_axis_parts); }
   Lists part_balls() const { return lists(vbm_axis_part_balls); }
   View<double, 3> nodes() const { return view<3>(vbm_axis_nodes); }
   Lists part_nodes() const { return lists(vbm_axis_part_nodes); }
+  View<std::int32_t, 2> contact_edges() const { return view<2>(vbm_axis_contact_edges); }
+  View<std::int32_t> contact_node() const { return view(vbm_axis_contact_node); }
   View<std::uint8_t> kept_balls() const { return view(vbm_axis_kept_balls); }
   /// Parts that pruning left below its threshold, and for each a vbm_lock.
   View<std::int32_t> stayed() const {
@@ -67,6 +73,16 @@ public:
   Axis prune(Context &context, const vbm_prune_options &options = PruneOptions()) const {
     vbm_axis *out = nullptr;
     const vbm_status status = vbm_axis_prune(context.handle(), handle(), &options, &out);
+    Axis axis(out);
+    context.check(status);
+    return axis;
+  }
+  Axis prune_steps(Context &context, const std::vector<PruneOptions> &steps) const {
+    std::vector<const vbm_prune_options *> pointers;
+    for (const PruneOptions &step : steps) pointers.push_back(&step);
+    vbm_axis *out = nullptr;
+    const vbm_status status =
+        vbm_axis_prune_steps(context.handle(), handle(), pointers.data(), pointers.size(), &out);
     Axis axis(out);
     context.check(status);
     return axis;

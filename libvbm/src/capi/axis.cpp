@@ -7,6 +7,7 @@
 #include "medial/axis_surface.h"
 
 #include <string>
+#include <vector>
 
 using namespace vbm::impl;
 
@@ -17,7 +18,7 @@ const Axis &axis_of(const vbm_axis *axis) {
   return axis->axis;
 }
 
-void check_array(const char *name, const int32_t *values, size_t count) {
+void check_array(const char *name, const void *values, size_t count) {
   if (!values && count)
     throw Error(VBM_ERROR_ARGUMENT,
                 std::string(name) + " is NULL, but " + std::to_string(count) + " were announced");
@@ -40,8 +41,24 @@ vbm_status vbm_axis_prune(vbm_context *context, const vbm_axis *axis,
                           const vbm_prune_options *options, vbm_axis **out) {
   return guarded(context, out, [&](Progress &progress) {
     const Axis &a = axis_of(axis);
-    const vbm_prune_options o = read_options(options);
-    return new vbm_axis{prune_axis(a, o, progress)};
+    return new vbm_axis{prune_axis(a, {read_options(options)}, progress)};
+  });
+}
+
+vbm_status vbm_axis_prune_steps(vbm_context *context, const vbm_axis *axis,
+                                const vbm_prune_options *const *steps, size_t count,
+                                vbm_axis **out) {
+  return guarded(context, out, [&](Progress &progress) {
+    const Axis &a = axis_of(axis);
+    check_array("steps", steps, count);
+    std::vector<vbm_prune_options> read;
+    for (size_t s = 0; s < count; ++s) try {
+        read.push_back(read_options(steps[s]));
+      } catch (Error &error) {
+        if (count > 1) error.message = "step " + std::to_string(s) + ": " + error.message;
+        throw;
+      }
+    return new vbm_axis{prune_axis(a, read, progress)};
   });
 }
 
@@ -109,11 +126,29 @@ const double *vbm_axis_triangle_points(const vbm_axis *a, size_t *count) {
 const int32_t *vbm_axis_triangle_part(const vbm_axis *a, size_t *count) {
   return a ? view(a->axis.triangle_part, 1, count) : none<int32_t>(count);
 }
+const double *vbm_axis_triangle_width(const vbm_axis *a, size_t *count) {
+  return a ? view(a->axis.triangle_width, 1, count) : none<double>(count);
+}
+const double *vbm_axis_triangle_angle(const vbm_axis *a, size_t *count) {
+  return a ? view(a->axis.triangle_angle, 1, count) : none<double>(count);
+}
 const int32_t *vbm_axis_curves(const vbm_axis *a, size_t *count) {
   return a ? view(a->axis.curves, 2, count) : none<int32_t>(count);
 }
 const int32_t *vbm_axis_curve_part(const vbm_axis *a, size_t *count) {
   return a ? view(a->axis.curve_part, 1, count) : none<int32_t>(count);
+}
+const double *vbm_axis_curve_width(const vbm_axis *a, size_t *count) {
+  return a ? view(a->axis.curve_width, 1, count) : none<double>(count);
+}
+const double *vbm_axis_curve_angle(const vbm_axis *a, size_t *count) {
+  return a ? view(a->axis.curve_angle, 1, count) : none<double>(count);
+}
+const int32_t *vbm_axis_contact_edges(const vbm_axis *a, size_t *count) {
+  return a ? view(a->axis.contact_edges, 2, count) : none<int32_t>(count);
+}
+const int32_t *vbm_axis_contact_node(const vbm_axis *a, size_t *count) {
+  return a ? view(a->axis.contact_node, 1, count) : none<int32_t>(count);
 }
 const vbm_part *vbm_axis_parts(const vbm_axis *a, size_t *count) {
   return a ? view(a->axis.parts.list, 1, count) : none<vbm_part>(count);

@@ -41,7 +41,8 @@ constexpr const char *kMeasureNames[] = {"triangles", "volume", "width", "angle"
 constexpr const char *kMeasureLabels[] = {"Triangles", "Volume", "Width", "Angle",
                                           "Volume of Balls"};
 constexpr const char *kMeasureHelps[] = {
-    "How many triangles the part has", "Its share of the shape's tetrahedra by volume, 0 to 1",
+    "How many triangles the part has; a curve, how many edges",
+    "Its share of the shape's tetrahedra by volume, 0 to 1",
     "How wide the feature is, as a share of the bounding box's diagonal",
     "The angle in degrees under which its two sides are seen from the axis",
     "Its share of the exact volume of all the inner balls together, 0 to 1"};

@@ -32,7 +32,7 @@ std::vector<double> significance(const Axis &axis, int32_t measure,
       out[p] = list[p].angle;
       break;
     default:
-      out[p] = double(list[p].triangles);
+      out[p] = double(list[p].triangles + list[p].curve_edges); // one of them is 0
     }
   return out;
 }
@@ -86,7 +86,7 @@ void finish(Axis &axis, Progress &progress) {
 }
 
 /// Numbers of the parts with a significance up to the threshold, least significant first; none for
-/// 0, though curves have no triangles, and parts without a vertex of their own no volume.
+/// 0, though parts without a vertex of their own have no volume.
 std::vector<int32_t> up_to(const std::vector<double> &value, double threshold) {
   std::vector<int32_t> order;
   if (!(threshold > 0)) return order;
@@ -98,13 +98,37 @@ std::vector<int32_t> up_to(const std::vector<double> &value, double threshold) {
   return order;
 }
 
-void list_stayed(Axis &axis, const std::vector<double> &value, double threshold) {
-  for (int32_t p : up_to(value, threshold)) {
-    const vbm_part &part = axis.parts.list[p];
-    if (part.level != 1 || part.lock == VBM_LOCK_NONE) continue;
-    axis.stayed.push_back(p);
-    axis.stayed_lock.push_back(part.lock);
+/// One step: its measure's least significant parts go, and are found anew, so many times.
+void prune_parts(Axis &axis, const vbm_prune_options &step, const std::vector<double> *ball_shares,
+                 double begin, double end, Progress &progress) {
+  for (int32_t i = 0; i < step.iterations; ++i) {
+    progress.stage("pruning", begin + (end - begin) * (i + 1) / step.iterations);
+    const std::vector<double> value = significance(axis, step.measure, ball_shares);
+    Remover remover(*axis.cells, axis.parts, axis.state);
+    const std::size_t before = axis.removed.size();
+    for (int32_t p : up_to(value, step.threshold)) {
+      progress.tick_slow(0, 1);
+      if (axis.parts.list[p].level != 1) continue;
+      Removal removal;
+      if (remover.remove(p, removal)) axis.removed.push_back(std::move(removal));
+    }
+    if (axis.removed.size() == before) break;
+    axis.parts = find_axis_parts(*axis.cells, axis.state, progress);
   }
+}
+
+/// Parts that are left at the end and that a step would have taken, each with the first such step.
+void list_stayed(Axis &axis, const std::vector<vbm_prune_options> &steps,
+                 const std::vector<double> *ball_shares) {
+  std::vector<uint8_t> listed(axis.parts.list.size(), 0);
+  for (const vbm_prune_options &step : steps)
+    for (int32_t p : up_to(significance(axis, step.measure, ball_shares), step.threshold)) {
+      const vbm_part &part = axis.parts.list[p];
+      if (part.level != 1 || part.lock == VBM_LOCK_NONE || listed[p]) continue;
+      listed[p] = 1;
+      axis.stayed.push_back(p);
+      axis.stayed_lock.push_back(part.lock);
+    }
   axis.notes += stayed_text(axis.stayed, axis.stayed_lock);
 }
 
@@ -138,30 +162,23 @@ Axis medial_axis(std::shared_ptr<const Model> model, const vbm_axis_options &opt
   return axis;
 }
 
-Axis prune_axis(const Axis &from, const vbm_prune_options &options, Progress &progress) {
+Axis prune_axis(const Axis &from, const std::vector<vbm_prune_options> &steps, Progress &progress) {
   Axis axis = again(from);
   const std::vector<double> *shares = nullptr;
-  if (options.measure == VBM_MEASURE_BALLS) {
+  if (std::any_of(steps.begin(), steps.end(),
+                  [](const auto &step) { return step.measure == VBM_MEASURE_BALLS; })) {
     progress.stage("volume of the balls", 0.5);
     shares = &axis.ball_shares->get(*axis.model, *axis.cells, progress);
   }
-  prune_twigs(axis, options, progress);
-  for (int32_t i = 0; i < options.iterations; ++i) {
-    progress.stage("pruning", 0.5 + 0.4 * (i + 1) / options.iterations);
-    const std::vector<double> value = significance(axis, options.measure, shares);
-    Remover remover(*axis.cells, axis.parts, axis.state);
-    const std::size_t before = axis.removed.size();
-    for (int32_t p : up_to(value, options.threshold)) {
-      progress.tick_slow(0, 1);
-      if (axis.parts.list[p].level != 1) continue;
-      Removal removal;
-      if (remover.remove(p, removal)) axis.removed.push_back(std::move(removal));
-    }
-    if (axis.removed.size() == before) break;
-    axis.parts = find_axis_parts(*axis.cells, axis.state, progress);
+  for (std::size_t s = 0; s < steps.size(); ++s) {
+    const auto at = [&](std::size_t done) {
+      return 0.5 + 0.4 * double(done) / double(steps.size());
+    };
+    prune_twigs(axis, steps[s], progress);
+    prune_parts(axis, steps[s], shares, at(s), at(s + 1), progress);
   }
   finish(axis, progress);
-  list_stayed(axis, significance(axis, options.measure, shares), options.threshold);
+  list_stayed(axis, steps, shares);
   return axis;
 }
 

@@ -24,7 +24,9 @@ struct Axis {
 
   // What the views show: cells left, vertices renumbered, input units.
   std::vector<double> vertices, radii, nodes, triangle_points;
+  std::vector<double> triangle_width, triangle_angle, curve_width, curve_angle;
   std::vector<int32_t> triangles, triangle_samples, triangle_part, curves, curve_part;
+  std::vector<int32_t> contact_edges, contact_node;
   Incidence part_balls, part_nodes;
   std::vector<uint8_t> kept;
   std::vector<int32_t> stayed, stayed_lock; // parts below the threshold that are locked, and why
@@ -36,8 +38,8 @@ struct Axis {
 Axis medial_axis(std::shared_ptr<const Model> model, const vbm_axis_options &options,
                  Progress &progress);
 
-/// Thesis 7.5.2 and 7.5.3.
-Axis prune_axis(const Axis &axis, const vbm_prune_options &options, Progress &progress);
+/// Thesis 7.5.2 and 7.5.3; several steps, one after another, are a scheme as in 7.7.
+Axis prune_axis(const Axis &axis, const std::vector<vbm_prune_options> &steps, Progress &progress);
 
 /// Throws Error(VBM_ERROR_INPUT) for a part that is not there or cannot go.
 Axis remove_parts(const Axis &axis, const int32_t *parts, std::size_t count, Progress &progress);

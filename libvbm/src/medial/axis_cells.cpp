@@ -37,6 +37,7 @@ public:
   AxisCells run() {
     out_.unit = model_.samples.frame.length_to_input(1);
     take_vertices();
+    mark_sides();
     take_edges();
     take_faces();
     find_hubs();
@@ -64,6 +65,17 @@ private:
     return int32_t(out_.ball.size()) - 1;
   }
 
+  /// Edges that a face has; the others are curves.
+  void mark_sides() {
+    side_.assign(complex_.edge.size(), 0);
+    for (std::size_t f = 0; f < complex_.faces(); ++f) {
+      progress_.tick(0, 1);
+      if (!left_.face[f]) continue;
+      for (uint64_t k = complex_.face_edges.offset[f]; k < complex_.face_edges.offset[f + 1]; ++k)
+        side_[complex_.face_edges.index[k]] = 1;
+    }
+  }
+
   void take_edges() {
     std::vector<std::pair<Pair, int32_t>> keys;
     for (std::size_t e = 0; e < complex_.edge.size(); ++e) {
@@ -89,6 +101,16 @@ private:
   void add_edge(const Pair &vertices, int32_t e) {
     out_.edge.push_back(vertices);
     if (left_.seam[e]) seams_.push_back(vertices);
+    if (!side_[e]) curves_.push_back({vertices, narrowest(complex_.edge_samples[e])});
+  }
+
+  /// The smallest distance of two of three samples.
+  double narrowest(const Triple &samples) const {
+    const std::vector<Vec3> &at = model_.samples.position;
+    double least = HUGE_VAL;
+    for (int i = 0; i < 3; ++i)
+      least = std::min(least, distance(at[samples[i]], at[samples[(i + 1) % 3]]));
+    return least;
   }
 
   Pair ends(int32_t e) const {
@@ -174,9 +196,13 @@ private:
                     begin);
       }
     }
+    const auto number = [&](const Pair &e) {
+      return std::lower_bound(out_.edge.begin(), out_.edge.end(), e) - out_.edge.begin();
+    };
     out_.seam.assign(out_.edge.size(), 0);
-    for (const Pair &e : seams_)
-      out_.seam[std::lower_bound(out_.edge.begin(), out_.edge.end(), e) - out_.edge.begin()] = 1;
+    for (const Pair &e : seams_) out_.seam[number(e)] = 1;
+    out_.curve_width.assign(out_.edge.size(), 0);
+    for (const auto &[e, width] : curves_) out_.curve_width[number(e)] = width;
     out_.edge_triangles = lists_of(out_.edge.size(), out_.triangle_edges);
     out_.vertex_edges = lists_of(out_.ball.size(), out_.edge);
   }
@@ -208,8 +234,7 @@ private:
       const int32_t b = model_.ball_of_cell[c], v = complex_.vertex_of_cell[c];
       if (b < 0 || std::size_t(b) >= model_.inner || v < 0 || on_axis[b]) continue;
       on_axis[b] = left_.vertex[v];
-      if (on_axis[b] || out_.vertex_of_ball[b] < 0)
-        out_.vertex_of_ball[b] = number_[left_.root[v]];
+      if (on_axis[b] || out_.vertex_of_ball[b] < 0) out_.vertex_of_ball[b] = number_[left_.root[v]];
     }
   }
 
@@ -222,11 +247,30 @@ private:
   Incidence polygon_;           // vertices of the faces left
   std::vector<Pair> samples_;
   std::vector<uint8_t> hub_;
+  std::vector<uint8_t> side_; // per edge of the complex
   std::vector<Pair> seams_;
+  std::vector<std::pair<Pair, double>> curves_; // and their widths
   AxisCells out_;
 };
 
 } // namespace
+
+double object_angle(double width, double radius) {
+  if (!(width > 0)) return 0;
+  return std::asin(std::min(1.0, width / (2 * radius))) * (360 / std::acos(-1.0));
+}
+
+double triangle_angle(const AxisCells &cells, std::size_t triangle) {
+  const auto &v = cells.triangle[triangle];
+  const double sum = cells.ball[v[0]].radius + cells.ball[v[1]].radius + cells.ball[v[2]].radius;
+  return object_angle(cells.width[triangle], sum / 3);
+}
+
+double curve_angle(const AxisCells &cells, std::size_t edge) {
+  const auto &v = cells.edge[edge];
+  const double sum = cells.ball[v[0]].radius + cells.ball[v[1]].radius;
+  return object_angle(cells.curve_width[edge], sum / 2);
+}
 
 AxisCells axis_cells(const DualComplex &complex, const Collapsed &left, const Model &model,
                      Progress &progress) {

@@ -23,11 +23,21 @@ struct AxisCells {
   std::vector<uint8_t> seam; // per edge: parts end there, even where only two triangles are left
   Incidence edge_triangles, vertex_edges;
   std::vector<double> width;           // per triangle: distance of its samples
+  std::vector<double> curve_width;     // per edge: of no triangle, the smallest distance of two of
+                                       // the three samples it is equidistant from; else 0
   std::vector<double> volume;          // per vertex: share of the solid's tetrahedra drawn into it
   std::vector<int32_t> vertex_of_ball; // per inner ball of the model
   std::vector<Twig> twigs;             // the same
   double unit = 1;                     // length of the unit frame's unit in the input
 };
+
+/// The angle in degrees under which two samples this far apart are seen from a ball they touch.
+double object_angle(double width, double radius);
+
+/// The same for the samples of a triangle, or of an edge of none; the ball is the mean of those at
+/// its corners.
+double triangle_angle(const AxisCells &cells, std::size_t triangle);
+double curve_angle(const AxisCells &cells, std::size_t edge);
 
 AxisCells axis_cells(const DualComplex &complex, const Collapsed &left, const Model &model,
                      Progress &progress);

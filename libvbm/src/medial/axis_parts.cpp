@@ -218,7 +218,7 @@ private:
   void measure() {
     const std::size_t count = out_.list.size();
     std::vector<Vec3> sum(count), plain(count); // of middles, by size and as they are
-    std::vector<double> sine(count, 0);
+    std::vector<double> sine(count, 0);         // of half the angle
     for (std::size_t t = 0; t < cells_.triangle.size(); ++t) {
       progress_.tick(0, 1);
       const int32_t p = out_.of_triangle[t];
@@ -231,16 +231,18 @@ private:
       sum[p] += middle * (area / 3);
       plain[p] += middle * (1.0 / 3);
       out_.list[p].width = std::max(out_.list[p].width, cells_.width[t]);
-      sine[p] = std::max(sine[p], cells_.width[t] / (a.radius + b.radius + c.radius));
+      sine[p] = std::max(sine[p], 1.5 * cells_.width[t] / (a.radius + b.radius + c.radius));
     }
     for (std::size_t p = 0; p < count; ++p)
       for (uint64_t k = out_.curve_edges.offset[p]; k < out_.curve_edges.offset[p + 1]; ++k) {
-        const auto &e = cells_.edge[out_.curve_edges.index[k]];
-        const Vec3 &a = cells_.ball[e[0]].center, &b = cells_.ball[e[1]].center;
-        const double size = distance(a, b);
+        const int32_t e = out_.curve_edges.index[k];
+        const Ball &a = cells_.ball[cells_.edge[e][0]], &b = cells_.ball[cells_.edge[e][1]];
+        const double size = distance(a.center, b.center);
         out_.list[p].length += size;
-        sum[p] += (a + b) * (0.5 * size);
-        plain[p] += (a + b) * 0.5;
+        sum[p] += (a.center + b.center) * (0.5 * size);
+        plain[p] += (a.center + b.center) * 0.5;
+        out_.list[p].width = std::max(out_.list[p].width, cells_.curve_width[e]);
+        sine[p] = std::max(sine[p], cells_.curve_width[e] / (a.radius + b.radius));
       }
     for (std::size_t v = 0; v < cells_.ball.size(); ++v)
       if (out_.of_vertex[v] >= 0) out_.list[out_.of_vertex[v]].volume += cells_.volume[v];
@@ -254,7 +256,7 @@ private:
       part.area *= unit * unit;
       part.length *= unit;
       part.width *= unit;
-      part.angle = std::asin(std::min(1.0, 1.5 * sine[p])) * degrees;
+      part.angle = std::asin(std::min(1.0, sine[p])) * degrees;
     }
   }
 

@@ -18,7 +18,7 @@ void fill_positions(Axis &axis) {
   }
 }
 
-void fill_cells(Axis &axis, std::size_t pieces, Progress &progress) {
+void fill_cells(Axis &axis, const TopologyGraph &graph, std::size_t pieces, Progress &progress) {
   const AxisCells &cells = *axis.cells;
   const AxisParts &parts = axis.parts;
   const Frame &frame = axis.model->samples.frame;
@@ -44,19 +44,28 @@ void fill_cells(Axis &axis, std::size_t pieces, Progress &progress) {
   axis.triangles.reserve(3 * axis.report.triangles);
   axis.triangle_samples.reserve(2 * axis.report.triangles);
   axis.triangle_part.reserve(axis.report.triangles);
+  axis.triangle_width.reserve(axis.report.triangles);
+  axis.triangle_angle.reserve(axis.report.triangles);
   for (std::size_t t = 0; t < cells.triangle.size(); ++t) {
     progress.tick(0, 1);
     if (!axis.state.triangle[t]) continue;
     for (int32_t v : cells.triangle[t]) axis.triangles.push_back(number[v]);
     for (int32_t s : cells.triangle_samples[t]) axis.triangle_samples.push_back(s);
     axis.triangle_part.push_back(parts.of_triangle[t]);
+    axis.triangle_width.push_back(cells.width[t] * cells.unit);
+    axis.triangle_angle.push_back(triangle_angle(cells, t));
   }
   std::vector<int32_t> curves = parts.curve_edges.index;
   std::sort(curves.begin(), curves.end());
   for (int32_t e : curves) {
     for (int32_t v : cells.edge[e]) axis.curves.push_back(number[v]);
     axis.curve_part.push_back(parts.of_edge[e]);
+    axis.curve_width.push_back(cells.curve_width[e] * cells.unit);
+    axis.curve_angle.push_back(curve_angle(cells, e));
   }
+  for (int32_t e : graph.contact_edge)
+    for (int32_t v : cells.edge[e]) axis.contact_edges.push_back(number[v]);
+  axis.contact_node = graph.contact_node;
   axis.report.curve_edges = curves.size();
   axis.report.parts = parts.list.size();
   axis.report.euler =
@@ -98,7 +107,7 @@ void fill_balls(Axis &axis) {
 void fill_views(Axis &axis, const TopologyGraph &graph, std::size_t pieces, Progress &progress) {
   axis.report.struct_size = sizeof axis.report;
   fill_positions(axis);
-  fill_cells(axis, pieces, progress);
+  fill_cells(axis, graph, pieces, progress);
   fill_points(axis, progress);
   fill_balls(axis);
   for (const Vec3 &p : graph.node) add(axis.nodes, axis.model->samples.frame.to_input(p));

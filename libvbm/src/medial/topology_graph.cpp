@@ -17,6 +17,7 @@ TopologyGraph topology_graph(const AxisCells &cells, const AxisParts &parts) {
       number[v] = int32_t(contact.size());
       contact.push_back(v);
     }
+  TopologyGraph graph;
   DisjointSets sets(contact.size());
   std::vector<std::pair<int32_t, int32_t>> touch; // part, contact vertex
   for (std::size_t e = 0; e < cells.edge.size(); ++e) {
@@ -28,12 +29,13 @@ TopologyGraph topology_graph(const AxisCells &cells, const AxisParts &parts) {
       continue;
     }
     sets.unite(a, b);
+    graph.contact_edge.push_back(int32_t(e));
+    graph.contact_node.push_back(a);
     for (uint64_t k = cells.edge_triangles.offset[e]; k < cells.edge_triangles.offset[e + 1]; ++k)
       if (const int32_t p = parts.of_triangle[cells.edge_triangles.index[k]]; p >= 0)
         touch.push_back({p, a});
   }
 
-  TopologyGraph graph;
   std::size_t count = 0;
   const std::vector<int32_t> node = sets.numbers(count);
   graph.node.resize(count);
@@ -44,6 +46,7 @@ TopologyGraph topology_graph(const AxisCells &cells, const AxisParts &parts) {
   }
   for (std::size_t n = 0; n < count; ++n) graph.node[n] = graph.node[n] * (1.0 / members[n]);
 
+  for (int32_t &at : graph.contact_node) at = node[at];
   for (auto &[part, at] : touch) at = node[at];
   std::sort(touch.begin(), touch.end());
   touch.erase(std::unique(touch.begin(), touch.end()), touch.end());

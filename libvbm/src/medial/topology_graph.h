@@ -11,6 +11,8 @@ namespace vbm::impl {
 struct TopologyGraph {
   std::vector<Vec3> node; // the middle of its contact vertices, unit frame
   Incidence part_nodes;   // per part, ascending
+  // Edges of contact, ascending, and the node of each. Curves touch others at vertices only.
+  std::vector<int32_t> contact_edge, contact_node;
 };
 
 TopologyGraph topology_graph(const AxisCells &cells, const AxisParts &parts);
