@@ -2,14 +2,16 @@
 """The medial axis as a mesh: triangles of sheets and edges of curves, coloured by part.
 
 Attributes: `radius` on vertices; `part`, `level` and `lock` on faces (lock: 0 where the part can go, see
-LOCKS); `curve_part` on edges, -1 on those of triangles; and the colour of the parts.
+LOCKS); on edges `curve_part`, `curve_level` and `curve_lock`, -1 on those of triangles, and `contact_node`,
+the node of the topology graph where parts meet, -1 elsewhere; and the colour of the parts, on corners of
+faces and, as `curve_color`, on edges. A modifier draws curves and contact curves (axis_nodes.py).
 """
 
 import bmesh
 import bpy
 import numpy as np
 
-from . import compat, creation, part_colors
+from . import axis_nodes, compat, creation, part_colors
 
 #: The library's reasons why a part cannot go, in the order of the attribute's values, and what to say.
 LOCKS = {
@@ -19,10 +21,10 @@ LOCKS = {
     "bridge": "The shape would fall apart",
     "last": "It is all that is left of this piece of the shape",
 }
-PART, CURVE_PART = "part", "curve_part"
+PART, CURVE_PART, CONTACT_NODE = "part", "curve_part", "contact_node"
 
 
-def make(made, axis, origin, recipe_text):
+def make(made, axis, origin, diagonal, recipe_text):
     """A new axis object, not linked yet."""
     colors = part_colors.of_parts(axis)
     mesh = new_mesh(made, f"{origin.name} Axis", axis, colors)
@@ -32,6 +34,7 @@ def make(made, axis, origin, recipe_text):
     obj.vbm_axis.source = origin
     # The axis lies within its shape: it is seen through it.
     obj.show_in_front = True
+    axis_nodes.show(made, obj, diagonal)
     tell(obj, axis, colors, recipe_text)
     return obj
 
@@ -61,28 +64,37 @@ def _fill(mesh, axis, colors):
     creation.add_attribute(mesh, PART, "INT", part, "FACE")
     creation.add_attribute(mesh, "level", "INT", level[part], "FACE")
     creation.add_attribute(mesh, "lock", "INT", lock[part], "FACE")
-    creation.add_attribute(mesh, CURVE_PART, "INT",
-                           _edge_parts(mesh, curves, np.asarray(axis.edge_part)), "EDGE")
-    if len(triangles):
-        rgba = np.ones((len(triangles), 3, 4), dtype=np.float32)
-        rgba[:, :, :3] = colors[part][:, None]
-        creation.add_attribute(mesh, part_colors.COLOR, "FLOAT_COLOR", rgba, "CORNER")
-        compat.set_active_color(mesh, part_colors.COLOR)
+    of_edge = _per_edge(mesh, curves, np.asarray(axis.edge_part))
+    is_curve = of_edge >= 0
+    creation.add_attribute(mesh, CURVE_PART, "INT", of_edge, "EDGE")
+    for name, value in (("curve_level", level), ("curve_lock", lock)):
+        found = np.full(len(of_edge), -1, dtype=np.int32)
+        found[is_curve] = value[of_edge[is_curve]]
+        creation.add_attribute(mesh, name, "INT", found, "EDGE")
+    creation.add_attribute(mesh, CONTACT_NODE, "INT", _per_edge(
+        mesh, np.asarray(axis.contact_edges), np.asarray(axis.contact_node)), "EDGE")
+    rgba = np.ones((len(of_edge), 4), dtype=np.float32)
+    rgba[is_curve, :3] = colors[of_edge[is_curve]]
+    creation.add_attribute(mesh, "curve_color", "FLOAT_COLOR", rgba, "EDGE")
+    rgba = np.ones((len(triangles), 3, 4), dtype=np.float32)
+    rgba[:, :, :3] = colors[part][:, None]
+    creation.add_attribute(mesh, part_colors.COLOR, "FLOAT_COLOR", rgba, "CORNER")
+    compat.set_active_color(mesh, part_colors.COLOR)
 
 
-def _edge_parts(mesh, curves, parts):
-    """The part of every edge that is a curve's, -1 for others: Blender has its own order of edges."""
+def _per_edge(mesh, pairs, numbers):
+    """The number of every edge that is one of the pairs, -1 for others: Blender has its own order of edges."""
     ends = np.empty(2 * len(mesh.edges), dtype=np.int32)
     mesh.edges.foreach_get("vertices", ends)
     count = max(len(mesh.vertices), 1)
     keys = _keys(ends.reshape(-1, 2), count)
     found = np.full(len(keys), -1, dtype=np.int32)
-    if len(curves):
-        wanted = _keys(curves, count)
+    if len(pairs):
+        wanted = _keys(pairs, count)
         order = np.argsort(wanted)
         at = np.searchsorted(wanted[order], keys).clip(max=len(wanted) - 1)
         same = wanted[order][at] == keys
-        found[same] = parts[order][at[same]]
+        found[same] = numbers[order][at[same]]
     return found
 
 

@@ -49,8 +49,8 @@ class SchemeOptions:
     __annotations__ = {
         "triangles": IntProperty(
             name="Triangles", default=5, min=0, soft_max=1000,
-            description="Parts at the border of up to so many triangles go first: artifacts of "
-            "the sampling. 0 for none"),
+            description="Parts at the border of up to so many triangles, and curves of up to so many "
+            "edges, go first: artifacts of the sampling. 0 for none"),
         "triangle_rounds": rounds(2),
         "measure": EnumProperty(
             name="Then By", items=measure_items(False), default="VOLUME",

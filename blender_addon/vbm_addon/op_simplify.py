@@ -65,7 +65,7 @@ axis is cut into parts, those that matter least go, and what is left is given a 
             if result.skeleton is not None:
                 shown["skeleton"] = skeleton_object.make(made, result.skeleton, obj)
             if "AXIS" in self.create:
-                shown["axis"] = axis_object.make(made, axis, obj,
+                shown["axis"] = axis_object.make(made, axis, obj, diagonal,
                                                  self._recipe(request, choices).dumps())
                 axis_object.tie(shown)
             creation.show_results(context, list(shown.values()), obj, self.source_display)

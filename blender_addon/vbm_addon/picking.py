@@ -9,6 +9,10 @@ from .recipe import is_axis
 
 #: How near to a curve, which has no faces to be hit, a click must come; pixels at 100 % interface scale.
 _NEAR = 8.0
+#: Instead of a part: the tube that shows a curve was hit.
+_TUBE = -2
+#: How many walls of contact curves' tubes a click goes through.
+_THROUGH = 16
 
 
 def under_mouse(context, x, y):
@@ -17,6 +21,8 @@ def under_mouse(context, x, y):
     best = (None, -1, np.inf)
     for obj in shown:
         part, distance = _sheet(context, obj, x, y)
+        if part == _TUBE:
+            part, _ = _curve(context, obj, x, y)
         if part >= 0 and distance < best[2]:
             best = (obj, part, distance)
     if best[0] is None:
@@ -38,11 +44,23 @@ def _sheet(context, obj, x, y):
         inverse = obj.matrix_world.inverted()
     except ValueError:  # scaled to nothing
         return -1, np.inf
-    hit, place, _normal, face = obj.ray_cast(inverse @ start, inverse.to_3x3() @ direction,
-                                             depsgraph=context.evaluated_depsgraph_get())
-    if not hit or numbers is None or not 0 <= face < len(numbers.data):
-        return -1, np.inf
-    return numbers.data[face].value, (obj.matrix_world @ place - start).length
+    depsgraph = context.evaluated_depsgraph_get()
+    shown = obj.evaluated_get(depsgraph).data.attributes.get(axis_object.PART)
+    origin, along = inverse @ start, (inverse.to_3x3() @ direction).normalized()
+    step = None
+    for _ in range(_THROUGH):
+        hit, place, _normal, face = obj.ray_cast(origin, along, depsgraph=depsgraph)
+        if not hit or numbers is None:
+            break
+        far = (obj.matrix_world @ place - start).length
+        if 0 <= face < len(numbers.data):
+            return numbers.data[face].value, far
+        # What the modifier draws: curves' tubes know that they are, those of contact curves are no part.
+        if shown is not None and 0 <= face < len(shown.data) and shown.data[face].value >= 0:
+            return _TUBE, far
+        step = step or 1e-5 * (place - origin).length  # as places are known to 24 bits
+        origin = place + along * step
+    return -1, np.inf
 
 
 def _curve(context, obj, x, y):
