@@ -26,9 +26,12 @@ NewLayer axis_layer(const vbm::Axis &axis, std::string name) {
   const auto curve_part = axis.curve_part();
   layer.triangle_colors.reserve(part.size);
   for (std::int32_t p : part) layer.triangle_colors.push_back(part_color(p));
-  if (part.empty()) {
-    // Hosts show colours of vertices rather than those of faces, which tell parts apart better.
+  if (part.empty() || !curve_part.empty()) {
+    // Hosts show colours of vertices rather than those of faces, which tell sheets apart better;
+    // but a curve has no faces to be coloured.
     layer.colors.assign(radii.size, part_color(0));
+    for (std::size_t t = 0; t < part.size; ++t)
+      for (int k = 0; k < 3; ++k) layer.colors[triangles[t][k]] = part_color(part[t]);
     for (std::size_t c = 0; c < curve_part.size; ++c)
       for (int k = 0; k < 2; ++k) layer.colors[curves[c][k]] = part_color(curve_part[c]);
   }

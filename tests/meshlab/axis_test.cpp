@@ -89,6 +89,40 @@ TEST(MedialAxis, OfABoxHasTwelveOuterPartsAndOneInner) {
   EXPECT_EQ(all.size(), 13u);
 }
 
+TEST(MedialAxis, OfAPaddleShowsItsStickInAColourOfItsOwn) {
+  MeshDocument document;
+  shapes::paddle(document);
+  const auto result = host::apply(host::kAxis, document);
+  ASSERT_TRUE(result.ok) << result.error;
+  const CMeshO &mesh = document.mm()->cm;
+  ASSERT_GT(mesh.FN(), 100);
+  ASSERT_TRUE(document.mm()->hasDataMask(MeshModel::MM_VERTCOLOR | MeshModel::MM_FACECOLOR));
+  const auto number = [](const vcg::Color4b &c) { return unsigned(c[0] << 16 | c[1] << 8 | c[2]); };
+  std::set<const CVertexO *> sheets;
+  std::set<unsigned> of_sheets, of_stick;
+  for (const auto &face : mesh.face) {
+    of_sheets.insert(number(face.cC()));
+    for (int k = 0; k < 3; ++k) sheets.insert(face.cV(k));
+  }
+  int balls = 0;
+  for (const auto &vertex : mesh.vert) {
+    if (vertex.cP()[0] < 1.5) continue;
+    ++balls;
+    EXPECT_FALSE(sheets.count(&vertex));
+    of_stick.insert(number(vertex.cC()));
+  }
+  EXPECT_GT(balls, 20);
+  ASSERT_EQ(of_stick.size(), 1u);
+  EXPECT_FALSE(of_sheets.count(*of_stick.begin()));
+  // Where sheets are, vertices have the colour of one of their faces.
+  std::map<const CVertexO *, std::set<unsigned>> at;
+  for (const auto &face : mesh.face)
+    for (int k = 0; k < 3; ++k) at[face.cV(k)].insert(number(face.cC()));
+  std::size_t like_faces = 0;
+  for (const auto &[vertex, colors] : at) like_faces += colors.count(number(vertex->cC()));
+  EXPECT_GE(like_faces + 1, at.size()) << "all but where the stick begins";
+}
+
 TEST(MedialAxis, HasSheetsThatFaceOneWay) {
   MeshDocument document;
   const CMeshO &mesh = box_axis(document)->cm;

@@ -43,6 +43,30 @@ MeshModel *horned_sphere(MeshDocument &document) {
   return model;
 }
 
+MeshModel *paddle(MeshDocument &document) {
+  MeshModel *model = host::add_layer(document, "paddle.ply");
+  const double turn = 2 * std::acos(-1.0), radius = 0.15, flat = 0.3;
+  const auto add = [&](double x, double y, double z) {
+    vcg::tri::Allocator<CMeshO>::AddVertex(model->cm, Point3m(Scalarm(x), Scalarm(y), Scalarm(z)));
+  };
+  const int blade = 3000, rings = 52, around = 12;
+  for (int k = 0; k < blade; ++k) {
+    const double z = 1 - 2 * (k + 0.5) / blade, r = std::sqrt(1 - z * z),
+                 a = turn * k * 0.618033989;
+    const double x = r * std::cos(a), y = r * std::sin(a);
+    if (x < 0 || std::hypot(y, flat * z) > radius + 0.02) add(x, y, flat * z);
+  }
+  for (int i = 0; i < rings; ++i)
+    for (int j = 0; j < around; ++j) {
+      const double x = 0.9 + 0.06 * i, a = turn * (j + 0.5 * (i % 2)) / around;
+      const double y = radius * std::cos(a), z = radius * std::sin(a);
+      if (x * x + y * y + z * z / (flat * flat) > 1.05) add(x, y, z);
+    }
+  add(0.9 + 0.06 * (rings - 1) + radius, 0, 0);
+  vcg::tri::UpdateBounding<CMeshO>::Box(model->cm);
+  return model;
+}
+
 MeshModel *torus(MeshDocument &document, double ring, double tube) {
   MeshModel *model = host::add_layer(document, "torus.ply");
   const int n = 96, m = 48;

@@ -16,6 +16,9 @@ MeshModel *box(MeshDocument &document, double spacing);
 // A sphere of radius 2 about the origin with a horn of length 1.5 in the direction z, 10242
 // vertices.
 MeshModel *horned_sphere(MeshDocument &document);
+// Bare points on a paddle: an ellipsoid of 1, 1 and 0.3 about the origin with a round stick of radius
+// 0.15 in the direction x, to x = 4.
+MeshModel *paddle(MeshDocument &document);
 void forget_faces(MeshModel &model);
 void finish(MeshModel &model); // its box and normals
 
