@@ -3,6 +3,7 @@
 
 import pathlib
 import sys
+import tempfile
 
 import addon_utils
 import bpy
@@ -37,5 +38,17 @@ for polygon in surface.data.polygons:
     for key in polygon.edge_keys:
         edges[key] = edges.get(key, 0) + 1
 assert set(edges.values()) == {2}, "the surface is not closed"
+
+# Balls, out to a file and in again, and a surface from them.
+bpy.ops.vbm.build_balls()
+with tempfile.TemporaryDirectory() as folder:
+    path = str(pathlib.Path(folder, "balls.csv"))
+    bpy.ops.vbm.export_balls(filepath=path)
+    bpy.ops.object.select_all(action="DESELECT")
+    bpy.ops.vbm.import_balls(filepath=path)
+balls = bpy.context.object
+assert len(balls.data.vertices) > 500, balls
+bpy.ops.vbm.ball_surface()
+assert bpy.context.object is not balls and len(bpy.context.object.data.polygons) > 500
 print(f"extension: Blender {bpy.app.version_string}, Python {sys.version_info[0]}.{sys.version_info[1]}, "
       f"{where.name}: {len(surface.data.polygons)} faces, closed")

@@ -8,7 +8,7 @@ cd "$(dirname "${BASH_SOURCE[0]}")"
 home=$(mktemp -d)
 trap 'rm -rf "$home"' EXIT
 export BLENDER_USER_RESOURCES=$home BLENDER_USER_CONFIG=$home/config BLENDER_USER_SCRIPTS=$home/scripts
-export PYTHONPATH= HOME=$home
+export PYTHONPATH="" HOME="$home"
 mkdir -p "$home/config" "$home/scripts" "$home/extensions"
 version=$(blender --background --factory-startup -noaudio --version | sed -n 's/^Blender \([0-9.]*\).*/\1/p;T;q')
 run() { "$@" >"$home/log" 2>&1 </dev/null || { tail -n 30 "$home/log" >&2; exit 1; }; }

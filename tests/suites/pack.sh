@@ -15,7 +15,7 @@ version=$(sed -n 's/^CMAKE_PROJECT_VERSION:STATIC=//p' "$build/CMakeCache.txt")
 suite=$(. /etc/os-release && echo "${VERSION_CODENAME:-sid}")
 machine=$(uname -m)
 stage=$build/stage
-rm -rf "$stage" "$out"/*
+rm -rf "$stage" "${out:?}"/*
 mkdir -p "$stage"
 
 archive() { # NAME: everything in $stage/NAME, with the licence

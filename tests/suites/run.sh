@@ -2,9 +2,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Builds and tests everything on three generations of Debian, and makes the files of a release there:
 # bookworm is this machine, trixie and sid are roots of their own below build/suites (or
-# $VBM_SUITES_DIR), each some 5 GB. Run it as root. What is released is left in out/release.
+# $VBM_SUITES_DIR), each some 5 GB. Run it as root. What is released is left in out/release, also that of suites
+# that are not named this time.
 #   tests/suites/run.sh [--files-only] [SUITE...]     default: bookworm trixie sid
-#   --files-only   builds and packs, without the test suite
+#   --files-only   builds, packs and tries the files, without the test suite
 # A suite that cannot be had is skipped, loudly, unless it is bookworm; one that fails ends this with 1.
 set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
@@ -62,9 +63,10 @@ is_bookworm() { [ "$(. /etc/os-release && echo "${VERSION_CODENAME:-}")" = bookw
 
 skipped=() failed=() done=()
 [ "$(id -u)" = 0 ] || { echo "This needs root, for chroot." >&2; exit 1; }
-rm -rf "$out" && mkdir -p "$out"
+mkdir -p "$out" && rm -f "$out"/*.zip
 for suite in "${suites[@]}"; do
   echo "==== $suite"
+  rm -rf "${out:?}/$suite"
   if [ "$suite" = bookworm ]; then
     is_bookworm || { fail bookworm "this machine is another Debian"; continue; }
   else
@@ -75,6 +77,7 @@ for suite in "${suites[@]}"; do
     run_in "$suite" tests/run.sh release || { fail "$suite" "its tests"; continue; }
   fi
   run_in "$suite" tests/suites/pack.sh "out/release/$suite" || { fail "$suite" "packing"; continue; }
+  run_in "$suite" tests/suites/check_files.sh "out/release/$suite" || { fail "$suite" "its files"; continue; }
   [ "$suite" = bookworm ] || cp -R "$roots/$suite/libvbm/out/release/$suite" "$out/"
   done+=("$suite")
 done
