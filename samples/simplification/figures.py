@@ -40,9 +40,9 @@ class Timed:
         Timed.rows.append(self)
 
     def time(self, step, work):
-        began = time.perf_counter()
+        began = time.process_time()
         out = work()
-        self.seconds[step] = self.seconds.get(step, 0) + time.perf_counter() - began
+        self.seconds[step] = self.seconds.get(step, 0) + time.process_time() - began
         return out
 
     def prune(self, *steps):
@@ -75,7 +75,7 @@ def bunny(out):
     top = [(scene.surface(shape.model.surface()), "the bunny")]
     below = [(scene.axis(shape.axis), parts(shape.axis))]
     common = [("triangles", 5, 2), ("volume", 0.01, 1)]
-    for share in (0.05, 0.10):
+    for share in (0.05, 0.20):
         shape.prune(*common, ("volume", share, 1))
         top.append((scene.surface(shape.surface()), f"volume shares to {100 * share:.0f} % removed"))
         below.append((scene.axis(shape.axis), parts(shape.axis)))
@@ -91,7 +91,7 @@ def bird(out):
     top = [(scene.surface(shape.model.surface()), "with bumps on back and thighs")]
     below = [(scene.axis(shape.axis), parts(shape.axis))]
     shape.prune(("triangles", 5, 3), ("volume", 0.01, 2))
-    top.append((scene.surface(shape.surface()), "without them"))
+    top.append((scene.surface(shape.surface()), "cleaned"))
     below.append((scene.axis(shape.axis), parts(shape.axis)))
     scene.render_rows([top, below], os.path.join(out, "bird.png"), turn=-35)
 
