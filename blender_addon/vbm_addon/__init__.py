@@ -18,12 +18,12 @@ bl_info = {
 import bpy
 from bpy.app.handlers import persistent
 
-from . import (ball_operator, cache, menus, op_armature, op_ball_surface, op_balls, op_cluster,
-               op_files, op_graphs, op_groups, op_parts, op_pick, op_select, op_simplify, op_surface,
+from . import (ball_operator, cache, menus, op_armature, op_axis_of_balls, op_ball_surface, op_balls,
+               op_cluster, op_files, op_graphs, op_groups, op_parts, op_pick, op_select, op_simplify, op_surface,
                op_thickness, options, panel, panel_axis, panel_balls, part_overlay, recipe, session)
 
 _MODULES = (options, recipe, op_balls, op_surface, op_thickness, op_select, op_simplify, op_parts,
-            op_graphs, op_armature, op_groups, op_cluster, op_ball_surface, op_files, op_pick,
+            op_graphs, op_axis_of_balls, op_armature, op_groups, op_cluster, op_ball_surface, op_files, op_pick,
             part_overlay, panel, panel_axis, panel_balls, menus)
 
 

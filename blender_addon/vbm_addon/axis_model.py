@@ -74,7 +74,8 @@ class History:
 class Wanted:
     """What is asked for beside the axis: the library's own calls, each with its part of the bar."""
 
-    def __init__(self, axis_arguments, steps, drop_outer=False, surface=False, skeleton=None):
+    def __init__(self, axis_arguments, steps, drop_outer=False, surface=False, skeleton=None,
+                 few=None):
         self.axis_arguments = axis_arguments
         self.key = tuple(sorted(axis_arguments.items()))
         self.steps = steps
@@ -82,6 +83,8 @@ class Wanted:
         self.surface = surface
         #: The library's arguments for the curve skeleton, or None where none is wanted.
         self.skeleton = skeleton
+        #: Those for the axis of a number of balls, or None.
+        self.few = few
 
 
 class Result:
@@ -93,6 +96,7 @@ class Result:
         self.axis = axis
         self.surface = None
         self.skeleton = None
+        self.few = None
 
 
 def is_quick(request, wanted):
@@ -103,8 +107,12 @@ def is_quick(request, wanted):
 
 
 def _kinds(wanted):
-    return ([("surface", wanted.drop_outer)] if wanted.surface else []) + (
-        [("skeleton", *sorted(wanted.skeleton.items()))] if wanted.skeleton is not None else [])
+    kinds = [("surface", wanted.drop_outer)] if wanted.surface else []
+    for name in ("skeleton", "few"):
+        arguments = getattr(wanted, name)
+        if arguments is not None:
+            kinds.append((name, *sorted(arguments.items())))
+    return kinds
 
 
 def compute(request, wanted, progress):
@@ -122,7 +130,10 @@ def compute(request, wanted, progress):
         step = 0.25 / len(_kinds(wanted))
         phase = Phase(progress, end, end + step)
         end += step
-        if kind[0] == "skeleton":
+        if kind[0] == "few":
+            result.few = history.result(
+                kind, wanted.steps, lambda: axis.simplify(progress=phase, **wanted.few))
+        elif kind[0] == "skeleton":
             result.skeleton = history.result(
                 kind, wanted.steps, lambda: axis.curve_skeleton(progress=phase, **wanted.skeleton))
         else:

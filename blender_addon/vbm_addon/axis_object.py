@@ -11,17 +11,21 @@ import bmesh
 import bpy
 import numpy as np
 
-from . import axis_nodes, compat, creation, part_colors
+from . import axis_nodes, compat, creation, library, part_colors
 
-#: The library's reasons why a part cannot go, in the order of the attribute's values, and what to say.
-LOCKS = {
-    "": "It can be removed",
-    "inner": "It has no border: the parts around it must go first",
-    "tunnel": "A tunnel or cavity of the shape would be lost",
-    "bridge": "The shape would fall apart",
-    "last": "It is all that is left of this piece of the shape",
-}
+#: The library's reasons why a part cannot go, by the attribute's values.
+LOCKS = ("", "inner", "tunnel", "bridge", "last")
 PART, CURVE_PART, CONTACT_NODE = "part", "curve_part", "contact_node"
+
+
+def lock_text(lock):
+    """Why a part stays, in the library's words."""
+    if not lock:
+        return "It can be removed"
+    if library.vbm is None or lock not in LOCKS:  # of a file that a newer version wrote
+        return lock
+    text = library.vbm.lock_text(lock)
+    return text[:1].upper() + text[1:]
 
 
 def make(made, axis, origin, diagonal, recipe_text):
@@ -58,9 +62,8 @@ def _fill(mesh, axis, colors):
     creation.add_attribute(mesh, "radius", "FLOAT", axis.radii)
     part = np.asarray(axis.triangle_part)
     parts = axis.parts
-    names = list(LOCKS)
     level = np.array([p.level for p in parts], dtype=np.int32)
-    lock = np.array([names.index(p.locked) for p in parts], dtype=np.int32)
+    lock = np.array([LOCKS.index(p.locked) for p in parts], dtype=np.int32)
     creation.add_attribute(mesh, PART, "INT", part, "FACE")
     creation.add_attribute(mesh, "level", "INT", level[part], "FACE")
     creation.add_attribute(mesh, "lock", "INT", lock[part], "FACE")

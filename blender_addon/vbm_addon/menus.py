@@ -21,6 +21,7 @@ class VBM_MT_object(bpy.types.Menu):
         layout.separator()
         layout.operator("vbm.topology_graph")
         layout.operator("vbm.curve_skeleton")
+        layout.operator("vbm.axis_of_balls")
         layout.operator("vbm.make_armature")
         layout.operator("vbm.part_groups")
         layout.separator()

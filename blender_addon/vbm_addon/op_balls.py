@@ -5,7 +5,7 @@ import bpy
 import numpy as np
 from bpy.props import EnumProperty, FloatProperty
 
-from . import ball_object, creation, model, options, session, source
+from . import ball_object, build_text, creation, model, options, session, source
 from .job_operator import JobOperator
 
 SOURCE_DISPLAY = EnumProperty(
@@ -51,7 +51,7 @@ class VBM_OT_build_balls(JobOperator, options.BuildOptions, ball_object.DisplayO
         color_viewport(context)
         count = int(chosen.sum())
         lines = [f"Radius {radii[chosen].min():.4g} to {radii[chosen].max():.4g}",
-                 f"{balls.report.samples:,} samples of {obj.name}"]
+                 f"{balls.report.samples:,} samples of {obj.name}", build_text.line(balls.report)]
         return session.Outcome(f"{shown.name}: {count:,} balls", lines, list(balls.notes))
 
     def _choose(self, balls, inside, radii):

@@ -45,7 +45,7 @@ class RemovesParts(AxisOperator):
             lock = own.parts[number].lock
             if lock and len(chosen) == 1:
                 raise source.SourceError(f"{own.parts[number].name} of {obj.name} stays. "
-                                         f"{axis_object.LOCKS[lock]}")
+                                         f"{axis_object.lock_text(lock)}")
         places = tuple(tuple(own.parts[number].place) for number in chosen)
         return done + (steps.Remove(tuple(chosen), places),)
 

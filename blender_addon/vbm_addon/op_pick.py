@@ -42,7 +42,7 @@ def told(obj, part):
     """What there is to know about a part, in one line."""
     item = obj.vbm_axis.parts[part]
     size = f"{item.edges:,} edges" if item.edges else f"{item.triangles:,} triangles"
-    what = "X removes it" if not item.lock else axis_object.LOCKS[item.lock]
+    what = "X removes it" if not item.lock else axis_object.lock_text(item.lock)
     return f"{item.name}: level {item.level}, {size}, {item.volume:.3g} % of the volume. {what}"
 
 

@@ -5,7 +5,7 @@ import bpy
 import numpy as np
 from mathutils import kdtree
 
-from . import creation, model, options, session
+from . import build_text, creation, model, options, session
 from .job_operator import JobOperator
 
 
@@ -85,7 +85,7 @@ surface rebuilt from it"""
         title = (f"{obj.name}: {count:,} vertices are undersampled" if count
                  else f"{obj.name} is sampled densely enough everywhere")
         lines = [] if not count else ["Refine the mesh there, or take a smaller sample spacing"]
-        return session.Outcome(title, lines)
+        return session.Outcome(title, lines + [build_text.line(built.model.report)])
 
     def draw(self, context):
         layout = self.layout

@@ -4,8 +4,8 @@
 import bpy
 from bpy.props import BoolProperty, EnumProperty
 
-from . import (axis_model, axis_object, axis_options, creation, graph_object, options, op_balls,
-               session, skeleton_object, source, surface_object)
+from . import (axis_model, axis_object, axis_options, build_text, creation, graph_object, options,
+               op_balls, session, skeleton_object, source, surface_object)
 from .job_operator import JobOperator
 from .recipe import Recipe
 
@@ -73,6 +73,7 @@ axis is cut into parts, those that matter least go, and what is left is given a 
         said = outcome(shown, result)
         if result.skeleton is not None:
             said.notes += skeleton_object.notes(result.skeleton)
+        said.lines.append(build_text.line(model.report))
         said.notes += model.notes
         return said
 

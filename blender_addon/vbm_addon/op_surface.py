@@ -4,7 +4,7 @@
 import bpy
 from bpy.props import BoolProperty, EnumProperty
 
-from . import creation, model, options, session, surface_object
+from . import build_text, creation, model, options, session, surface_object
 from .job_operator import JobOperator
 from .op_balls import SOURCE_DISPLAY
 
@@ -48,7 +48,8 @@ class VBM_OT_rebuild_surface(JobOperator, options.BuildOptions, bpy.types.Operat
         closed = "closed" if parts == 1 else f"closed, {parts:,} parts"
         title = (f"{shown.name}: {len(shown.data.vertices):,} vertices, "
                  f"{len(shown.data.polygons):,} faces, genus {report.genus}, {closed}")
-        lines = [f"Area {report.area:.4g}, volume {report.volume:.4g}"]
+        lines = [f"Area {report.area:.4g}, volume {report.volume:.4g}",
+                 build_text.line(built.model.report)]
         return session.Outcome(title, lines, [*built.model.notes, *surface.notes])
 
     def draw(self, context):

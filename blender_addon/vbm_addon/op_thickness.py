@@ -5,7 +5,7 @@ import bpy
 import numpy as np
 from bpy.props import BoolProperty, EnumProperty, FloatProperty
 
-from . import colors, compat, creation, model, options, session, source
+from . import build_text, colors, compat, creation, model, options, session, source
 from .job_operator import JobOperator
 from .op_balls import color_viewport
 
@@ -90,6 +90,7 @@ in colour. Modifiers are not applied: the attribute belongs to the mesh's own ve
                  f"thickest {thickness.max():.4g}"]
         if self.thin_below > 0.0:
             lines.append(f"{thin:,} vertices are thinner than {self.thin_below:.4g}")
+        lines.append(build_text.line(built.model.report))
         notes = list(built.model.notes)
         if unknown:
             notes.append(f"{unknown:,} vertices have no thickness (0, shown grey): no inner ball "

@@ -3,7 +3,7 @@
 
 import bpy
 
-from . import (axis_object, axis_options, axis_operator, library, op_simplify,
+from . import (axis_object, axis_options, axis_operator, library, op_axis_of_balls, op_simplify,
                recipe, session, text)
 
 _LOCK_ICONS = {"": "UNLOCKED", "inner": "MESH_PLANE", "tunnel": "LOCKED", "bridge": "LOCKED",
@@ -61,6 +61,7 @@ class VBM_PT_axis(_Tab, bpy.types.Panel):
         column = layout.column()
         column.scale_y = 1.4
         column.operator("vbm.simplify_shape", icon="MOD_SIMPLIFY")
+        column.operator("vbm.axis_of_balls", icon="MOD_DECIM")
         obj, problem = axis_operator.find(context)
         if obj is None:
             text.draw(layout, context, problem, icon="INFO")
@@ -80,6 +81,20 @@ class VBM_PT_scheme(_Tab, bpy.types.Panel):
         op_simplify.draw_own(layout, owner)
         layout.separator()
         axis_options.draw_axis(layout, owner)
+
+
+class VBM_PT_axis_of_balls(_Tab, bpy.types.Panel):
+    bl_label = "Axis of N Balls"
+    bl_parent_id = "VBM_PT_axis"
+    bl_options = {"DEFAULT_CLOSED"}
+
+    def draw(self, context):
+        layout = self.layout
+        wide = context.region.width > 300 * context.preferences.system.ui_scale
+        layout.use_property_split = wide
+        layout.use_property_decorate = False
+        op_axis_of_balls.draw_own(
+            layout, context.window_manager.operator_properties_last("vbm.axis_of_balls"))
 
 
 class _OfAxis(_Tab):
@@ -117,7 +132,7 @@ class VBM_PT_parts(_OfAxis, bpy.types.Panel):
         size = f"{item.edges:,} edges" if item.edges else f"{item.triangles:,} triangles"
         box.label(text=f"Level {item.level}, {size}")
         box.label(text=f"{item.volume:.3g} % of the volume")
-        text.draw(box, context, axis_object.LOCKS.get(item.lock, item.lock),
+        text.draw(box, context, axis_object.lock_text(item.lock),
                   icon=_LOCK_ICONS.get(item.lock, "LOCKED"))
 
 
@@ -152,7 +167,7 @@ class VBM_PT_derived(_OfAxis, bpy.types.Panel):
         column.operator("vbm.part_groups", icon="GROUP_VERTEX")
 
 
-_CLASSES = (VBM_UL_parts, VBM_PT_axis, VBM_PT_scheme, VBM_PT_parts, VBM_PT_steps, VBM_PT_derived)
+_CLASSES = (VBM_UL_parts, VBM_PT_axis, VBM_PT_scheme, VBM_PT_axis_of_balls, VBM_PT_parts, VBM_PT_steps, VBM_PT_derived)
 
 
 def register():

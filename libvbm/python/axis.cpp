@@ -40,19 +40,15 @@ template <class Get> auto viewed(Get get) {
   };
 }
 
-const char *lock_text(int32_t lock) {
-  switch (lock) {
-  case VBM_LOCK_NONE:
-    return "";
-  case VBM_LOCK_INNER:
-    return "inner";
-  case VBM_LOCK_TUNNEL:
-    return "tunnel";
-  case VBM_LOCK_BRIDGE:
-    return "bridge";
-  default:
-    return "last";
-  }
+// By the numbers of vbm_lock.
+constexpr const char *kLocks[] = {"", "inner", "tunnel", "bridge", "last"};
+
+const char *lock_name(int32_t lock) { return kLocks[lock < VBM_LOCK_LAST ? lock : VBM_LOCK_LAST]; }
+
+const char *lock_text(const std::string &locked) {
+  for (int32_t lock = VBM_LOCK_NONE; lock <= VBM_LOCK_LAST; ++lock)
+    if (locked == kLocks[lock]) return vbm_lock_text(lock);
+  bad_argument("'" + locked + "' is no lock: '', 'inner', 'tunnel', 'bridge' and 'last' are");
 }
 
 // A part, as a named tuple.
@@ -66,7 +62,8 @@ struct PartField {
 };
 const PartField kPartFields[] = {
     {"level", "1: it has a border; 2: it touches a part of level 1; ...; 0: no border is near."},
-    {"locked", "'' if it can be removed now, else why not: 'inner', 'tunnel', 'bridge' or 'last'."},
+    {"locked", "'' if it can be removed now, else why not: 'inner', 'tunnel', 'bridge' or 'last';\n"
+               "lock_text() has it in words."},
     {"triangles", "Triangles; 0 for a curve."},
     {"curve_edges", "Edges of a curve; 0 for a sheet."},
     {"area", "Area of a sheet."},
@@ -97,7 +94,7 @@ py::list parts(const MedialAxis &self) {
   py::list out;
   for (std::size_t i = 0; i < all.size; ++i) {
     const vbm_part &p = all[i];
-    out.append(part_class()(p.level, lock_text(p.lock), p.triangles, p.curve_edges, p.area,
+    out.append(part_class()(p.level, lock_name(p.lock), p.triangles, p.curve_edges, p.area,
                             p.length, p.volume, p.width, p.angle,
                             py::make_tuple(p.position[0], p.position[1], p.position[2]),
                             output(balls[i], owner)));
@@ -138,7 +135,7 @@ py::list stayed(const MedialAxis &self) {
   const View<int32_t> parts = self.now().axis.stayed(), locks = self.now().axis.stayed_locks();
   py::list out;
   for (std::size_t i = 0; i < parts.size; ++i)
-    out.append(py::make_tuple(parts[i], lock_text(locks[i])));
+    out.append(py::make_tuple(parts[i], lock_name(locks[i])));
   return out;
 }
 
@@ -350,6 +347,21 @@ void bind_axis(py::module_ &module) {
            counted(report.triangles, "triangle", "triangles") + ", " +
            counted(report.parts, "part", "parts") + ">";
   });
+
+  const Signature in_words("lock_text", {{"locked"}});
+  module.def(
+      "lock_text",
+      [in_words](const py::args &args, const py::kwargs &kwargs) {
+        const py::object locked = in_words.bind(args, kwargs)["locked"];
+        if (!py::isinstance<py::str>(locked))
+          throw py::type_error(std::string("locked must be a str, not ") +
+                               Py_TYPE(locked.ptr())->tp_name);
+        return lock_text(locked.cast<std::string>());
+      },
+      in_words
+          .doc("Part.locked in words, for messages: \"the shape would fall apart\"; '' for ''.\n\n"
+               "Raises ArgumentError for a word that is no lock.")
+          .c_str());
 }
 
 } // namespace vbm::python

@@ -39,21 +39,6 @@ NewLayer axis_layer(const vbm::Axis &axis, std::string name) {
   return layer;
 }
 
-const char *lock_reason(std::int32_t lock) {
-  switch (lock) {
-  case VBM_LOCK_INNER:
-    return "no border, the parts around must go first";
-  case VBM_LOCK_TUNNEL:
-    return "a tunnel or cavity of the shape would be lost";
-  case VBM_LOCK_BRIDGE:
-    return "the shape would fall apart";
-  case VBM_LOCK_LAST:
-    return "all that is left of a piece of the shape";
-  default:
-    return "";
-  }
-}
-
 void describe(const vbm::Axis &axis, std::vector<std::string> &log) {
   const vbm_axis_report report = axis.report();
   std::string line = "Medial axis: " + count(report.vertices, "vertex", "vertices") + ", " +
@@ -78,7 +63,7 @@ void describe(const vbm::Axis &axis, std::vector<std::string> &log) {
   }
   log.push_back(line + ".");
   for (const auto &[lock, parts] : locks)
-    log.push_back(count(parts, "part", "parts") + " cannot be removed now: " + lock_reason(lock) +
+    log.push_back(count(parts, "part", "parts") + " cannot be removed now: " + vbm_lock_text(lock) +
                   ".");
 }
 

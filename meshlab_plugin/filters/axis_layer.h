@@ -19,9 +19,6 @@ NewLayer axis_layer(const vbm::Axis &axis, std::string name);
 // What it is, and which parts cannot go, a sentence each.
 void describe(const vbm::Axis &axis, std::vector<std::string> &log);
 
-// "it has no border: the parts around it must go first"
-const char *lock_reason(std::int32_t lock);
-
 // The name of the layer that an axis layer was made from.
 std::string without_axis(const std::string &name);
 

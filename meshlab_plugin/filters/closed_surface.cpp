@@ -3,6 +3,10 @@
 #include "filter.h"
 #include "model.h"
 #include "surface_layer.h"
+#include "text.h"
+#include "thin_sampling.h"
+
+#include <algorithm>
 
 namespace vbm_filters {
 namespace {
@@ -22,8 +26,27 @@ std::vector<Param> params() {
                 bool_param("polygons", "Keep Polygons",
                            "Power crust: keep its polygons, instead of cutting them into triangles",
                            false));
+  params.push_back(bool_param("select", "Select Where Too Thin",
+                              "If samples are too far apart somewhere to trust the surface, select "
+                              "the vertices there, on this "
+                              "layer and on the new one, instead of those selected now",
+                              true));
   params.push_back(hide_param());
   return params;
+}
+
+// Where the sampling is too thin, on both layers.
+void select_thin(const vbm::Model &model, const Layer &layer, const vbm::Surface &surface,
+                 Outcome &outcome) {
+  outcome.selected = undersampled_vertices(model, layer);
+  if (outcome.selected.empty()) return;
+  NewLayer &rebuilt = outcome.layers.back();
+  rebuilt.selected = undersampled_vertices(model, surface);
+  const auto chosen = std::count(outcome.selected.begin(), outcome.selected.end(), 1);
+  outcome.log.push_back(
+      count(static_cast<std::uint64_t>(chosen), "vertex is", "vertices are") +
+      " selected where it is too thin, on both layers (a layer's rendering options "
+      "have Selection).");
 }
 
 Outcome run(const Task &task) {
@@ -45,6 +68,7 @@ Outcome run(const Task &task) {
   describe(model, layer, outcome.log);
   describe(surface, outcome.log);
   outcome.layers.push_back(std::move(rebuilt));
+  if (values.flag("select")) select_thin(model, layer, surface, outcome);
   return outcome;
 }
 
@@ -58,7 +82,9 @@ const Filter closed_surface_filter = {
     "balls inside the shape and those outside it, and closes holes. <b>Quality</b> and "
     "<b>radius</b> of a vertex are the radius of the inner ball that touches it; vertex colours "
     "are "
-    "kept. The log says where samples are too far apart to trust the surface.<br><br>"
+    "kept. Where samples are too far apart to trust the surface, the vertices of both layers are "
+    "selected; the log says "
+    "how many samples these are.<br><br>"
     "See:<br>"
     "<i>N. Amenta, S. Choi, R. Kolluri</i>, <b>\"The power crust, unions of balls, and the medial "
     "axis "

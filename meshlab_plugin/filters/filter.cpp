@@ -7,9 +7,9 @@ namespace vbm_filters {
 
 const std::vector<const Filter *> &filters() {
   static const std::vector<const Filter *> all = {
-      &ball_model_filter, &closed_surface_filter, &thickness_filter,  &medial_axis_filter,
-      &simplify_filter,   &remove_parts_filter,   &part_color_filter, &ball_surface_filter,
-      &cluster_filter,    &ball_measures_filter,
+      &ball_model_filter, &closed_surface_filter, &thickness_filter,     &medial_axis_filter,
+      &simplify_filter,   &remove_parts_filter,   &part_color_filter,    &ball_surface_filter,
+      &cluster_filter,    &ball_measures_filter,  &axis_of_balls_filter,
   };
   return all;
 }

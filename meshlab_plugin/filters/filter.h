@@ -44,6 +44,6 @@ Outcome run(const Filter &filter, const Layer &layer, const Values &values, Axis
 
 extern const Filter ball_model_filter, closed_surface_filter, thickness_filter, medial_axis_filter,
     simplify_filter, remove_parts_filter, part_color_filter, ball_surface_filter, cluster_filter,
-    ball_measures_filter;
+    ball_measures_filter, axis_of_balls_filter;
 
 } // namespace vbm_filters

@@ -43,6 +43,7 @@ struct NewLayer {
   std::vector<std::int32_t> triangles;  // may be empty
   std::vector<std::uint8_t> inner_edge; // per corner: 1 if the edge from it is inside a polygon
   std::vector<double> radius, quality;  // per vertex
+  std::vector<std::uint8_t> selected;   // per vertex, 1 if it is to be selected; or empty
   std::vector<Color> colors;            // per vertex, or empty
   std::vector<Color> triangle_colors;   // per triangle, or empty
   std::vector<double> triangle_quality; // per triangle, or empty
@@ -59,8 +60,11 @@ struct VertexValues {
 };
 
 struct Outcome {
-  std::vector<NewLayer> layers;           // the last one is the host's current layer then
-  std::vector<VertexValues> values;       // at most one
+  std::vector<NewLayer> layers;     // the last one is the host's current layer then
+  std::vector<VertexValues> values; // at most one
+  // The vertices of the layer that the filter was applied to: 1 for those that are to be selected,
+  // alone. Empty: what is selected stays.
+  std::vector<std::uint8_t> selected;
   std::vector<std::string> log;           // sentences for the user
   std::map<std::string, double> measures; // numbers for scripts, by name
 };

@@ -6,9 +6,7 @@
 
 namespace vbm_filters {
 
-std::vector<Param> model_params(std::vector<std::string> without) {
-  // Limits are for programs; a person sees how long it takes, and can stop it.
-  without.insert(without.end(), {"sample_limit", "cell_limit"});
+std::vector<Param> model_params(const std::vector<std::string> &without) {
   std::vector<Param> params = library_params("build", without);
   params.insert(
       params.begin(),
@@ -47,7 +45,9 @@ void describe(const vbm::Model &model, const Layer &layer, std::vector<std::stri
   std::string input = "Took " + count(report.input_points, "vertex", "vertices");
   if (report.merged) input += ", merged " + count(report.merged);
   if (report.dropped) input += ", left out " + count(report.dropped);
-  if (report.added) input += ", added " + count(report.added, "sample", "samples") + " on faces";
+  if (report.added)
+    input += ", added " + count(report.added, "sample", "samples") + " on faces at a spacing of " +
+             number(report.spacing);
   log.push_back(input + ": " + count(report.samples, "sample", "samples") + ".");
   log.push_back(count(report.inner_balls, "inner ball", "inner balls") + ", " +
                 count(report.outer_balls, "outer ball", "outer balls") +

@@ -10,7 +10,8 @@
 namespace vbm_filters {
 
 // The parameters of this step: the host's own two, then the library's but for those in `without`.
-std::vector<Param> model_params(std::vector<std::string> without);
+// Its limits, which errors name and hardly anybody else needs, come last.
+std::vector<Param> model_params(const std::vector<std::string> &without);
 
 // For filters that add a layer: whether to hide the one it was made from.
 Param hide_param();

@@ -88,4 +88,14 @@ bool set_option(vbm_cluster_options &options, const std::string &name, double va
   return true;
 }
 
+bool set_option(vbm_simplify_options &options, const std::string &name, double value) {
+  if (name == "count")
+    options.count = static_cast<std::uint64_t>(value);
+  else if (name == "iterations")
+    options.iterations = whole(value);
+  else
+    return false;
+  return true;
+}
+
 } // namespace vbm_filters

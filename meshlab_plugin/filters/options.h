@@ -17,6 +17,7 @@ bool set_option(vbm_prune_options &options, const std::string &name, double valu
 bool set_option(vbm_axis_surface_options &options, const std::string &name, double value);
 bool set_option(vbm_ball_surface_options &options, const std::string &name, double value);
 bool set_option(vbm_cluster_options &options, const std::string &name, double value);
+bool set_option(vbm_simplify_options &options, const std::string &name, double value);
 
 // Sets every field of the operation's options that has a value: one whose parameter a filter does
 // not show keeps its default.

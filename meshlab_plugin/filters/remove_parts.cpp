@@ -27,7 +27,7 @@ std::vector<Param> params() {
 std::vector<std::string> stays(const PartsRemoved &result) {
   const auto reason = [](std::int32_t lock) {
     return std::string(lock == VBM_LOCK_NONE ? "the others selected hold the shape's topology"
-                                             : lock_reason(lock));
+                                             : vbm_lock_text(lock));
   };
   constexpr std::size_t kFew = 8;
   std::vector<std::string> lines;

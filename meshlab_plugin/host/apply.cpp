@@ -67,16 +67,31 @@ void add_layers(MeshDocument &document, const Source &source,
     if (result.hide_source && document.getMesh(source.id)) document.setVisible(source.id, false);
 }
 
-void write_values(MeshDocument &document, const Source &source, const VertexValues &values) {
-  MeshModel *layer = document.getMesh(source.id);
-  if (!layer) throw Failure("The layer was removed while the filter ran: nothing was changed.");
-  const auto &vertices = layer->cm.vert;
+// Whether a layer still has the vertices that were copied out.
+bool is_as_copied(const MeshModel &layer, const Source &source) {
+  const auto &vertices = layer.cm.vert;
   bool same = vertices.size() == source.places;
   for (std::size_t i = 0; same && i < source.place.size(); ++i)
     same = !vertices[source.place[i]].IsD();
-  if (!same)
+  return same;
+}
+
+void write_values(MeshDocument &document, const Source &source, const VertexValues &values) {
+  MeshModel *layer = document.getMesh(source.id);
+  if (!layer) throw Failure("The layer was removed while the filter ran: nothing was changed.");
+  if (!is_as_copied(*layer, source))
     throw Failure("The layer was changed while the filter ran: nothing was written to it.");
   write(*layer, source, values);
+}
+
+// Beside new layers, which are what was asked for: where it is too late, that is no failure.
+void write_selection(MeshDocument &document, const Source &source,
+                     const std::vector<std::uint8_t> &selected, const Log &log) {
+  MeshModel *layer = document.getMesh(source.id);
+  if (layer && is_as_copied(*layer, source))
+    select(*layer, source, selected);
+  else
+    log(false, "The layer was changed while the filter ran: nothing was selected on it.");
 }
 
 std::map<std::string, double> run(const vbm_filters::Filter &filter,
@@ -92,6 +107,7 @@ std::map<std::string, double> run(const vbm_filters::Filter &filter,
   add_layers(document, source, outcome.layers);
   for (const VertexValues &written : outcome.values) write_values(document, source, written);
   for (const std::string &line : outcome.log) log(false, line);
+  if (!outcome.selected.empty()) write_selection(document, source, outcome.selected, log);
   return outcome.measures;
 }
 

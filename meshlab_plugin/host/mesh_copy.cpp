@@ -109,6 +109,7 @@ void fill(MeshModel &model, const NewLayer &result) {
     vertex.N() = Point3m(0, 0, 0);
     vertex.Q() = static_cast<float>(result.quality[i]);
     vertex.R() = static_cast<Scalarm>(result.radius[i]);
+    if (!result.selected.empty() && result.selected[i]) vertex.SetS();
     if (!result.colors.empty()) {
       vertex.C() = host_color(result.colors[i]);
     } else if (result.ramp.wanted) {
@@ -135,6 +136,12 @@ void fill(MeshModel &model, const NewLayer &result) {
     vcg::tri::UpdateNormal<CMeshO>::NormalizePerVertex(mesh);
     mend_normals(mesh);
   }
+}
+
+void select(MeshModel &model, const Source &source, const std::vector<std::uint8_t> &chosen) {
+  for (CVertexO &vertex : model.cm.vert) vertex.ClearS();
+  for (std::size_t i = 0; i < source.place.size(); ++i)
+    if (chosen[i]) model.cm.vert[source.place[i]].SetS();
 }
 
 void write(MeshModel &model, const Source &source, const VertexValues &values) {

@@ -24,4 +24,7 @@ void fill(MeshModel &model, const vbm_filters::NewLayer &result);
 // Quality, radius and, if wanted, colour of the vertices that were copied out.
 void write(MeshModel &model, const Source &source, const vbm_filters::VertexValues &values);
 
+// Selects those of the vertices copied out that have a 1, and no others.
+void select(MeshModel &model, const Source &source, const std::vector<std::uint8_t> &chosen);
+
 } // namespace vbm_meshlab

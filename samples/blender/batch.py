@@ -88,6 +88,8 @@ def write_surface(path, mesh):
 
 def process(path, target, given, row):
     """One file, start to end; fills in the row as far as it comes."""
+    from vbm_addon import build_text  # not before main() has switched the add-on on
+
     row["notes"] = []
     obj, row["points"], row["faces"] = make_object(path, row["notes"])
     build = {"ignore_faces": given.points_only, "spacing": given.spacing}
@@ -107,6 +109,7 @@ def process(path, target, given, row):
         bpy.ops.wm.save_as_mainfile(filepath=str(target) + ".blend", copy=True, check_existing=False)
     row["notes"] += list(balls["vbm_notes"])
     count = len(row["notes"])
+    row["made"] = build_text.line(balls["vbm_report"])
     row["result"] = "ok" + (f", {count} note{'s' * (count > 1)} above" if count else "")
 
 
@@ -130,8 +133,10 @@ def clear_scene():
 
 
 def print_notes(rows):
-    """What the library has to say about files that worked."""
+    """How the balls of files that worked were made, and what the library has to say about them."""
     for row in rows:
+        if "made" in row:
+            print(f"{row['file']}: {row['made']}.")
         for note in row.get("notes", ()):
             print(f"{row['file']}: {note}")
 

@@ -1,12 +1,14 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Build Balls: the object it makes, and what it leaves alone."""
 
+import re
+
 import bpy
 import numpy as np
 import pytest
 from helpers import activate, active, icosphere, positions, snapshot, torus, values
 from mathutils import Matrix
-from vbm_addon import cache, library
+from vbm_addon import build_text, cache, library, session
 
 
 def evaluated(obj):
@@ -201,3 +203,24 @@ def test_result_goes_to_a_collection_that_is_shown():
     bpy.ops.vbm.build_balls()
     assert [collection.name for collection in active().users_collection] == ["On"]
     assert active().name in bpy.context.view_layer.objects
+
+
+def test_the_sidebar_says_how_the_balls_were_made():
+    mesh = bpy.data.meshes.new("box")
+    corners = [(x, y, z) for x in (0, 4) for y in (0, 2) for z in (0, 1)]
+    quads = [(0, 1, 3, 2), (4, 6, 7, 5), (0, 4, 5, 1), (2, 3, 7, 6), (0, 2, 6, 4), (1, 5, 7, 3)]
+    mesh.from_pydata(corners + [(9, 9, 9)], [], quads)  # one vertex of no face
+    obj = bpy.data.objects.new("box", mesh)
+    bpy.context.scene.collection.objects.link(obj)
+    for operator in ("build_balls", "rebuild_surface", "measure_thickness", "simplify_shape"):
+        activate(obj)
+        getattr(bpy.ops.vbm, operator)(spacing=0.25)
+        said = next(line for line in session.last.lines if line.startswith("Inside from"))
+        assert re.fullmatch(r"Inside from normals; [\d,]+ samples added at a spacing of 0.25; 1 left out", said)
+
+
+def test_the_line_on_how_balls_were_made():
+    report = {"rule": "propagation", "added": 0, "merged": 0, "dropped": 0, "spacing": 0.0}
+    assert build_text.line(report) == "Inside from propagation"
+    assert build_text.line({**report, "added": 1021, "spacing": 0.0912, "merged": 3, "dropped": 1}) == (
+        "Inside from propagation; 1,021 samples added at a spacing of 0.0912; 3 merged, 1 left out")

@@ -54,6 +54,8 @@ def test_a_folder_of_good_and_bad(tmp_path):
     assert "what comes after the last face is left out" in printed and " ok" in table["more.off"]
     assert "FAILED: " in table["truncated.off"] and "line" in table["truncated.off"]
     assert "vertex 5 is not finite" in table["not finite.off"]
+    assert "good.off: Inside from normals" in printed
+    assert "points.obj: Inside from propagation." in printed
     assert table["good.off"].split()[1:3] == ["1152", "1152"]
     assert " ok" in table["points.obj"]
     assert sorted(path.name for path in out.iterdir()) == sorted(

@@ -154,7 +154,7 @@ TEST(MedialAxis, SaysWhatItIs) {
   const auto result = host::apply(host::kAxis, document);
   ASSERT_TRUE(result.ok) << result.error;
   EXPECT_TRUE(result.logged("13 parts: 12 of level 1, 1 of level 2."));
-  EXPECT_TRUE(result.logged("1 part cannot be removed now: no border"));
+  EXPECT_TRUE(result.logged("1 part cannot be removed now: it has no border"));
   EXPECT_TRUE(result.logged("1 component, Euler characteristic 1"));
   EXPECT_FALSE(source->isVisible());
 }
@@ -319,7 +319,7 @@ TEST(RemoveParts, SaysWhyAPartStays) {
     auto result = host::apply(host::kRemoveParts, document);
     EXPECT_FALSE(result.ok);
     EXPECT_EQ(result.error, "Part " + std::to_string(middle) +
-                                " stays: no border, the parts around must go first.");
+                                " stays: it has no border, so the parts around it must go first.");
     EXPECT_EQ(host::layers(document), 2);
     // The whole axis cannot go.
     for (auto &face : axis->cm.face) face.SetS();

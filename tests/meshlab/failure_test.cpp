@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <limits>
 
 namespace {
@@ -45,8 +46,9 @@ void expect_refused(const char *filter, MeshDocument &document, const host::Give
 }
 
 // Those that start from any shape.
-const std::vector<const char *> all = {host::kBalls, host::kSurface,  host::kThickness,
-                                       host::kAxis,  host::kSimplify, host::kPartColor};
+const std::vector<const char *> all = {host::kBalls,      host::kSurface,  host::kThickness,
+                                       host::kAxis,       host::kSimplify, host::kPartColor,
+                                       host::kAxisOfBalls};
 
 TEST(Failure, NotFinite) {
   for (const char *filter : all) {
@@ -70,6 +72,24 @@ TEST(Failure, NotFinitePointsCanBeLeftOut) {
   ASSERT_TRUE(result.ok) << result.error;
   EXPECT_EQ(source->cm.vert[1023].cQ(), 0);
   EXPECT_NEAR(source->cm.vert[1000].cQ(), 4, 0.1);
+}
+
+// What the message names stands in the dialog.
+TEST(Failure, LimitsCanBeRaised) {
+  for (const char *filter : all) {
+    MeshDocument document;
+    shapes::sphere(document, 2);
+    for (const char *limit : {"sample_limit", "cell_limit"}) {
+      expect_refused(filter, document, {{limit, 100}}, std::string("(") + limit + ")");
+      const std::vector<std::string> names = host::dialog(filter, document);
+      EXPECT_EQ(std::count(names.begin(), names.end(), limit), 1) << filter;
+    }
+  }
+  MeshDocument document;
+  shapes::sphere(document, 2);
+  const auto result =
+      host::apply(host::kBalls, document, {{"sample_limit", 1e6}, {"cell_limit", 1e7}});
+  EXPECT_TRUE(result.ok) << result.error;
 }
 
 TEST(Failure, TooFewOrFlat) {

@@ -3,6 +3,7 @@
 #include "shapes.h"
 
 #include <gtest/gtest.h>
+#include <vbm/vbm.hpp>
 
 #include <cmath>
 #include <set>
@@ -136,9 +137,104 @@ TEST(ClosedSurface, OfAMeshWithSamplesOnItsFaces) {
   shapes::torus(document, 3, 1);
   const auto result = host::apply(host::kSurface, document, {{"spacing", 0.05}});
   ASSERT_TRUE(result.ok) << result.error;
-  EXPECT_TRUE(result.logged("samples on faces"));
+  EXPECT_TRUE(result.logged("samples on faces at a spacing of 0.05"));
   expect_closed(shapes::check(*document.mm()), 1);
   EXPECT_GT(document.mm()->cm.VN(), 2 * 96 * 48);
+}
+
+// A lens: its rim is too sharp for its samples.
+MeshModel *lens(MeshDocument &document) {
+  MeshModel *model = shapes::sphere(document, 2);
+  for (auto &vertex : model->cm.vert) vertex.P()[2] *= 0.05f;
+  shapes::finish(*model);
+  return model;
+}
+
+int selected(const MeshModel &model) {
+  int count = 0;
+  for (const auto &vertex : model.cm.vert) count += vertex.IsS();
+  return count;
+}
+
+// The library's undersampled vertices of a layer whose vertices alone are samples, by their places.
+std::set<std::vector<float>> undersampled(const MeshModel &layer) {
+  std::vector<double> points;
+  std::vector<std::int32_t> triangles;
+  for (const auto &v : layer.cm.vert)
+    for (int k = 0; k < 3; ++k) points.push_back(v.cP()[k]);
+  for (const auto &face : layer.cm.face)
+    for (int k = 0; k < 3; ++k)
+      triangles.push_back(std::int32_t(vcg::tri::Index(layer.cm, face.cV(k))));
+  vbm::Context context;
+  vbm::BuildOptions options;
+  options.spacing = -1;
+  const vbm::View<double, 3> given{points.data(), points.size() / 3};
+  const vbm::View<std::int32_t, 3> faces{triangles.data(), triangles.size() / 3};
+  const vbm::Model model = triangles.empty() ? vbm::build_points(context, given, {}, options)
+                                             : vbm::build_mesh(context, given, faces, options);
+  std::set<std::vector<float>> places;
+  for (std::int32_t sample : model.undersampled()) {
+    const auto &p = layer.cm.vert[std::size_t(model.sample_input()[sample])].cP();
+    places.insert({p[0], p[1], p[2]});
+  }
+  return places;
+}
+
+TEST(ClosedSurface, SelectsWhereTheSamplingIsTooThin) {
+  for (const bool points : {false, true}) {
+    MeshDocument document;
+    MeshModel *source = lens(document);
+    if (points) shapes::forget_faces(*source);
+    source->cm.vert[0].SetS();
+    auto result = host::apply(host::kSurface, document, {{"spacing", -1}, {"select", 0}});
+    ASSERT_TRUE(result.ok) << result.error;
+    ASSERT_TRUE(result.logged("too thin to trust"));
+    EXPECT_EQ(selected(*source), 1);
+    EXPECT_EQ(selected(*document.mm()), 0);
+
+    document.setCurrentMesh(source->id());
+    result = host::apply(host::kSurface, document, {{"spacing", -1}});
+    ASSERT_TRUE(result.ok) << result.error;
+    const auto expected = undersampled(*source);
+    const int chosen = selected(*source);
+    EXPECT_GT(chosen, 10);
+    EXPECT_LT(chosen, source->cm.VN());
+    EXPECT_TRUE(
+        result.logged(std::to_string(chosen) + " vertices are selected where it is too thin"));
+    for (const auto &v : source->cm.vert)
+      EXPECT_EQ(v.IsS(), expected.count({v.cP()[0], v.cP()[1], v.cP()[2]}) == 1);
+    EXPECT_GT(selected(*document.mm()), 10);
+    for (const auto &v : document.mm()->cm.vert)
+      EXPECT_EQ(v.IsS(), expected.count({v.cP()[0], v.cP()[1], v.cP()[2]}) == 1);
+  }
+}
+
+TEST(ClosedSurface, SelectsTheVertexNearestToAnAddedSample) {
+  MeshDocument document;
+  // A needle of few vertices: most samples are added.
+  MeshModel *source = shapes::sphere(document, 2);
+  for (auto &vertex : source->cm.vert)
+    for (int k = 0; k < 2; ++k) vertex.P()[k] *= 0.02f;
+  shapes::finish(*source);
+  // A vertex that is left out, right beside others, is none of them.
+  source->cm.vert[0].SetS();
+  const auto result = host::apply(host::kSurface, document, {{"spacing", 0.02}, {"refine", 0}});
+  ASSERT_TRUE(result.ok) << result.error;
+  EXPECT_TRUE(result.logged("samples on faces"));
+  ASSERT_TRUE(result.logged("too thin to trust"));
+  EXPECT_GT(selected(*source), 1);
+  EXPECT_TRUE(result.logged(std::to_string(selected(*source)) + " vert"));
+}
+
+TEST(ClosedSurface, LeavesTheSelectionWhereSamplingIsDense) {
+  MeshDocument document;
+  MeshModel *source = shapes::torus(document, 3, 1);
+  source->cm.vert[7].SetS();
+  const auto result = host::apply(host::kSurface, document, vertices_only);
+  ASSERT_TRUE(result.ok) << result.error;
+  EXPECT_EQ(selected(*source), 1);
+  EXPECT_TRUE(source->cm.vert[7].IsS());
+  EXPECT_EQ(selected(*document.mm()), 0);
 }
 
 TEST(ClosedSurface, OfBarePointsAndOfAnOpenMesh) {

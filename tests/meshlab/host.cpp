@@ -28,6 +28,7 @@ const char *const kPartColor = "Voronoi Balls: Colour by Part";
 const char *const kBallSurface = "Voronoi Balls: Build Surface from Balls";
 const char *const kCluster = "Voronoi Balls: Cluster Balls";
 const char *const kBallMeasures = "Voronoi Balls: Measure Union of Balls";
+const char *const kAxisOfBalls = "Voronoi Balls: Build Axis of N Balls";
 
 namespace {
 

@@ -27,7 +27,7 @@ struct Result {
 
 extern const char *const kBalls, *const kSurface, *const kThickness;
 extern const char *const kAxis, *const kSimplify, *const kRemoveParts, *const kPartColor;
-extern const char *const kBallSurface, *const kCluster, *const kBallMeasures;
+extern const char *const kBallSurface, *const kCluster, *const kBallMeasures, *const kAxisOfBalls;
 
 std::vector<std::string> filter_names();
 std::string help(const std::string &filter);

@@ -158,7 +158,7 @@ def test_parts_of_an_axis_are_removed_in_one_script(tmp_path):
     locked = script(tmp_path / "c.mlx", step("Build Medial Axis"), select(f"fq == {int(middle)}"), step("Remove Selected Parts"))
     code, said = server("-i", tmp_path / "in.ply", "-s", locked)
     assert code != 0
-    assert f"Remove Selected Parts: Part {int(middle)} stays: no border" in said
+    assert f"Remove Selected Parts: Part {int(middle)} stays: it has no border" in said
 
 
 def test_an_axis_from_a_file_is_not_known(tmp_path):
@@ -263,3 +263,76 @@ def test_names_come_out_as_they_went_in(tmp_path):
         vertices, shell = read_ply(saved)
         assert closed(shell) and euler(vertices, shell) == 2
     assert sorted(path.stem for path in (tmp_path / "out").iterdir()) == sorted(pathlib.Path(name).stem for name in names)
+
+
+# ---- The scripts of samples/, by the commands of the plugin's page -----------------------------------------
+
+ROOT = pathlib.Path(__file__).parents[2]
+COMMANDS = [line.split() for line in (ROOT / "meshlab_plugin/README.md").read_text("utf-8").splitlines()
+            if line.startswith("    meshlabserver ")]
+SCRIPTS = {pathlib.Path(words[words.index("-s") + 1]).stem: words for words in COMMANDS}
+
+
+def by_command(name, folder, *shape):
+    """What the page's command leaves, read again, in the order of its files."""
+    write_ply(folder / "shape.ply", *shape)
+    outputs = [SCRIPTS[name][i + 1] for i, word in enumerate(SCRIPTS[name]) if word == "-o"]
+    places = {"shape.ply": folder / "shape.ply", **{output: folder / output for output in outputs}}
+    words = [ROOT / word if word.endswith(".mlx") else places.get(word, word) for word in SCRIPTS[name][1:]]
+    code, said = server(*words)
+    assert code == 0, said
+    return said, [read_ply(folder / output) for output in outputs]
+
+
+def test_every_script_has_a_command_and_names_every_parameter():
+    files = sorted((ROOT / "samples/meshlab").glob("*.mlx"))
+    assert len(files) >= 6 and sorted(SCRIPTS) == [path.stem for path in files]
+    for path in files:
+        given = ElementTree.fromstring(path.read_text()).find("filter")
+        expected = step(given.get("name").removeprefix("Voronoi Balls: "))
+
+        def shape(filter_step):
+            return [{key: value for key, value in param.items() if key not in ("value", "max")}
+                    for param in filter_step]
+
+        assert shape(given) == shape(expected), path.name
+
+
+def test_script_ball_model(tmp_path):
+    said, [(balls, triangles)] = by_command("ball_model", tmp_path, *torus())
+    assert len(triangles) == 0 and len(balls) > 96
+    np.testing.assert_array_equal(balls["radius"], balls["quality"])
+    assert balls["radius"].max() < 1.1
+
+
+def test_script_closed_surface(tmp_path):
+    said, [(vertices, triangles)] = by_command("closed_surface", tmp_path, *torus())
+    assert "genus 1" in said
+    assert closed(triangles) and euler(vertices, triangles) == 0
+
+
+def test_script_thickness(tmp_path):
+    points, triangles = torus()
+    said, [(vertices, kept)] = by_command("thickness", tmp_path, points, triangles)
+    np.testing.assert_array_equal(kept, triangles)
+    assert np.median(vertices["quality"]) == pytest.approx(2, abs=0.1)
+
+
+def test_script_medial_axis(tmp_path):
+    said, [(balls, triangles)] = by_command("medial_axis", tmp_path, box())
+    assert "13 parts: 12 of level 1, 1 of level 2." in said
+    assert len(triangles) > 500
+
+
+def test_script_simplify(tmp_path):
+    said, [(axis, _), (vertices, triangles)] = by_command("simplify", tmp_path, *torus())
+    assert "genus 1" in said and "Pruned by volume up to 0.01" in said
+    assert closed(triangles) and euler(vertices, triangles) == 0 and 0 < len(axis)
+
+
+def test_script_axis_of_balls(tmp_path):
+    said, [(balls, triangles)] = by_command("axis_of_balls", tmp_path, box())
+    assert "Axis of 200 balls: " in said
+    assert len(balls) == 200 and len(triangles) > 200
+    deep = np.minimum.reduce([balls["x"], 4 - balls["x"], balls["y"], 2 - balls["y"], balls["z"], 1 - balls["z"]])
+    np.testing.assert_allclose(balls["radius"], deep, atol=0.1)

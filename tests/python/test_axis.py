@@ -208,6 +208,8 @@ def test_a_part_is_removed_by_any_of_its_triangles():
     inner = next(i for i, part in enumerate(axis.parts) if part.level == 2)
     with pytest.raises(vbm.InputError, match=f"part {inner} cannot go: it has no border"):
         axis.remove(triangles=np.flatnonzero(axis.triangle_part == inner)[:1])
+    with pytest.raises(vbm.InputError, match=vbm.lock_text(axis.parts[inner].locked)):
+        axis.remove(inner)
     outer = [i for i in range(13) if i != inner]
     one = [np.flatnonzero(axis.triangle_part == p)[0] for p in [inner, *outer[:9]]]
     axis.remove(triangles=one)
@@ -360,3 +362,13 @@ def test_bumps_too_small_for_a_part_go_with_the_first_pruning():
     assert (axis.surface().report.components, axis.surface().report.genus) == (1, 0)
     axis.undo()
     assert axis.kept_balls.sum() == kept and farthest() > 1.07
+
+
+def test_locks_in_words():
+    words = [vbm.lock_text(lock) for lock in ("inner", "tunnel", "bridge", "last")]
+    assert all(words) and len(set(words)) == 4 and vbm.lock_text("") == ""
+    assert vbm.lock_text("bridge") == "the shape would fall apart"
+    with pytest.raises(ValueError, match="'no' is no lock"):
+        vbm.lock_text("no")
+    with pytest.raises(TypeError, match="locked must be a str, not int"):
+        vbm.lock_text(1)

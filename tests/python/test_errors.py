@@ -101,9 +101,10 @@ def test_empty_lists():
 
 
 def test_limits(points):
-    with pytest.raises(vbm.LimitError):
+    # Each names the option that it stopped at.
+    with pytest.raises(vbm.LimitError, match=r"the limit is 10 \(sample_limit\)"):
         vbm.build(points, sample_limit=10)
-    with pytest.raises(vbm.LimitError):
+    with pytest.raises(vbm.LimitError, match=r"the limit of 10 \(cell_limit\)"):
         vbm.build(points, cell_limit=10)
 
 

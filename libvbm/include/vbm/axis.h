@@ -100,11 +100,15 @@ VBM_API const double *vbm_axis_curve_angle(const vbm_axis *axis, size_t *count);
 /* Why a part cannot be removed now. */
 typedef enum vbm_lock {
   VBM_LOCK_NONE = 0,   /* it can                                                              */
-  VBM_LOCK_INNER = 1,  /* it has no border: the parts around it must go first                 */
+  VBM_LOCK_INNER = 1,  /* it has no border, so the parts around it must go first              */
   VBM_LOCK_TUNNEL = 2, /* a tunnel or cavity of the shape would be lost                       */
   VBM_LOCK_BRIDGE = 3, /* the shape would fall apart                                          */
   VBM_LOCK_LAST = 4    /* it is all that is left of a piece of the shape                      */
 } vbm_lock;
+
+/* A lock in words, for messages: "the shape would fall apart". "" for VBM_LOCK_NONE and for numbers that
+ * are no lock. The text lives as long as the library. */
+VBM_API const char *vbm_lock_text(int32_t lock);
 
 typedef struct vbm_part {
   int32_t level;       /* 1: has a border; 2: touches a part of level 1; ...; 0: no border is near    */

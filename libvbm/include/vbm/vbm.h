@@ -2,8 +2,9 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  *
- * This is the whole C interface, C99. "Thesis" below is R. Tam, "Voronoi Ball Models for
- * Computational Shape Applications"; section numbers are its own.
+ * The C interface, C99: this header, and axis.h, medial_mesh.h, balls.h and cluster.h, which it
+ * includes. "Thesis" below is R. Tam, "Voronoi Ball Models for Computational Shape Applications";
+ * section numbers are its own.
  *
  * Conventions
  *   - Every function that can fail returns a vbm_status. The sentence that says what is wrong and

@@ -5,6 +5,7 @@
 #include "capi/guard.h"
 #include "capi/views.h"
 #include "medial/axis_surface.h"
+#include "medial/lock_text.h"
 
 #include <string>
 #include <vector>
@@ -162,6 +163,7 @@ const double *vbm_axis_nodes(const vbm_axis *a, size_t *count) {
 const int32_t *vbm_axis_part_nodes(const vbm_axis *a, const uint64_t **offsets, size_t *count) {
   return a ? view(a->axis.part_nodes, offsets, count) : none(offsets, count);
 }
+const char *vbm_lock_text(int32_t lock) { return lock_text(lock); }
 const int32_t *vbm_axis_stayed(const vbm_axis *a, const int32_t **locks, size_t *count) {
   if (locks) *locks = a ? a->axis.stayed_lock.data() : nullptr;
   return a ? view(a->axis.stayed, 1, count) : none<int32_t>(count);

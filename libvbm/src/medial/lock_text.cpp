@@ -9,10 +9,10 @@ constexpr std::size_t kShown = 12;
 
 } // namespace
 
-const char *lock_text(vbm_lock lock) {
+const char *lock_text(int32_t lock) {
   switch (lock) {
   case VBM_LOCK_INNER:
-    return "it has no border: the parts around it must go first";
+    return "it has no border, so the parts around it must go first";
   case VBM_LOCK_TUNNEL:
     return "a tunnel or cavity of the shape would be lost";
   case VBM_LOCK_BRIDGE:
@@ -40,7 +40,7 @@ std::string stayed_text(const std::vector<int32_t> &parts, const std::vector<int
       text +=
           std::to_string(count) +
           (count == 1 ? " part below the threshold stays: " : " parts below the threshold stay: ") +
-          lock_text(vbm_lock(lock)) + " (" + numbers + ")\n";
+          lock_text(lock) + " (" + numbers + ")\n";
   }
   return text;
 }

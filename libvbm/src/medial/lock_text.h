@@ -10,8 +10,8 @@
 
 namespace vbm::impl {
 
-/// "the shape would fall apart"
-const char *lock_text(vbm_lock lock);
+/// "the shape would fall apart"; "" for what is no lock. Every host says it in these words.
+const char *lock_text(int32_t lock);
 
 /// A line for every reason, with the first few parts it keeps: "3 parts below the threshold stay:
 /// the shape would fall apart (2, 5, 9)".

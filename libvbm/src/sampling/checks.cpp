@@ -56,8 +56,8 @@ void check_sample_limit(double needed, const vbm_build_options &options, const s
   const std::string number = needed < 1e18
                                  ? std::to_string(static_cast<uint64_t>(std::ceil(needed)))
                                  : std::string("more than 10^18");
-  throw Error(VBM_ERROR_LIMIT,
-              number + " samples are needed" + why + ", but the limit is " + std::to_string(limit));
+  throw Error(VBM_ERROR_LIMIT, number + " samples are needed" + why + ", but the limit is " +
+                                   std::to_string(limit) + " (sample_limit)");
 }
 
 std::size_t check_finite(const double *points, std::size_t count, const char *kind,
