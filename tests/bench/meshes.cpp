@@ -69,6 +69,7 @@ Mesh generated(int rings) {
   return mesh;
 }
 
+// Of the folder that VBM_SHARED names, else of Debian's package glmark2-data, else a torus instead.
 Mesh bunny() {
   const char *shared = std::getenv("VBM_SHARED");
   const std::string data = shared ? shared : VBM_SOURCE_DIR "/../shared";

@@ -27,7 +27,8 @@ TEST_P(RealModels, HaveTheirTopology) {
   const char *shared = std::getenv("VBM_SHARED");
   const std::string path = std::string(shared ? shared : VBM_SOURCE_DIR "/../shared") +
                            "/data/meshes/" + GetParam().file;
-  if (!std::filesystem::exists(path)) GTEST_SKIP() << path << " is not there";
+  if (!std::filesystem::exists(path))
+    GTEST_SKIP() << path << " is not there; VBM_SHARED names the folder with test data";
   const Geometry g = read_geometry(path);
   const Build points = [&](vbm_context *context, const vbm_build_options *o, vbm_model **out) {
     return vbm_build_points(context, g.points.data(), g.size(), nullptr, o, out);

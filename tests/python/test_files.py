@@ -314,7 +314,7 @@ def test_the_nasty_files(tmp_path):
     script = models.ROOT.parent / "shared" / "nasty" / "make_nasty.py"
     script = pathlib.Path(os.environ["VBM_SHARED"]) / "nasty" / script.name if "VBM_SHARED" in os.environ else script
     if not script.exists():
-        pytest.skip(f"{script} is not there")
+        pytest.skip(f"{script} is not there; VBM_SHARED names the folder with test data")
     subprocess.run([sys.executable, str(script), str(tmp_path)], check=True, stdout=subprocess.DEVNULL)
     count = 0
     for file in sorted((tmp_path / "file").iterdir()):

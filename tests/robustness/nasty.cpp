@@ -198,7 +198,8 @@ bool try_one(const Build &build, const vbm_build_options &options, const Expect 
 } // namespace
 
 void run_case(const Case &c) {
-  if (nasty_folder().empty()) GTEST_SKIP() << "no ../shared/nasty/make_nasty.py";
+  if (nasty_folder().empty())
+    GTEST_SKIP() << "no nasty/make_nasty.py in the folder that VBM_SHARED names";
   const Geometry g = read_geometry(nasty_folder() + "/" + c.file);
   const Build points = [&](vbm_context *context, const vbm_build_options *o, vbm_model **out) {
     return vbm_build_points(context, g.points.data(), g.size(), nullptr, o, out);

@@ -185,7 +185,8 @@ TEST(NastyFiles, BehaveAsStated) {
 }
 
 TEST(NastyFiles, AreRefusedWithALine) {
-  if (nasty_folder().empty()) GTEST_SKIP() << "no ../shared/nasty/make_nasty.py";
+  if (nasty_folder().empty())
+    GTEST_SKIP() << "no nasty/make_nasty.py in the folder that VBM_SHARED names";
   for (const std::string &file : kUnreadable) try {
       read_geometry(nasty_folder() + "/file/" + file);
       ADD_FAILURE() << file << " was read";
@@ -195,7 +196,8 @@ TEST(NastyFiles, AreRefusedWithALine) {
 }
 
 TEST(NastyMeshes, TablesAreComplete) {
-  if (nasty_folder().empty()) GTEST_SKIP() << "no ../shared/nasty/make_nasty.py";
+  if (nasty_folder().empty())
+    GTEST_SKIP() << "no nasty/make_nasty.py in the folder that VBM_SHARED names";
   std::set<std::string> known;
   for (const Case &c : meshes()) known.insert(c.file);
   for (const Case &c : files()) known.insert(c.file);

@@ -146,7 +146,8 @@ std::string name(const testing::TestParamInfo<Case> &info) {
 INSTANTIATE_TEST_SUITE_P(All, NastyPoints, testing::ValuesIn(cases()), name);
 
 TEST(NastyPointFiles, TableIsComplete) {
-  if (nasty_folder().empty()) GTEST_SKIP() << "no ../shared/nasty/make_nasty.py";
+  if (nasty_folder().empty())
+    GTEST_SKIP() << "no nasty/make_nasty.py in the folder that VBM_SHARED names";
   std::set<std::string> known;
   for (const Case &c : cases()) known.insert(c.file);
   for (const std::string &file : nasty_index("pts/")) EXPECT_EQ(known.count(file), 1u) << file;
