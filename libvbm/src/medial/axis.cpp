@@ -60,8 +60,10 @@ void prune_twigs(Axis &axis, const vbm_prune_options &options, Progress &progres
       return double(twigs[b].cells);
     }
   };
+  // Twigs are bumps and corners, unless the sampling is too thin: then they are pieces of walls.
+  const bool walls = axis.cells->thin.counts();
   for (std::size_t b = 0; b < twigs.size(); ++b)
-    if (twigs[b].cells > 0 && significance(b) <= options.threshold) axis.state.twig[b] = 0;
+    if (twigs[b].cells > 0 && !(walls && twigs[b].thin) && significance(b) <= options.threshold) axis.state.twig[b] = 0;
 }
 
 /// An axis with the same cells left, and the same parts.
@@ -83,6 +85,7 @@ void finish(Axis &axis, Progress &progress) {
   const std::size_t pieces = find_locks(graph, axis.parts);
   fill_views(axis, graph, pieces, progress);
   axis.part_ball_shares = std::make_shared<PartShares>();
+  axis.notes += thin_text(axis.cells->thin);
 }
 
 /// Numbers of the parts with a significance up to the threshold, least significant first; none for

@@ -45,7 +45,7 @@ public:
     join_edges();
     share_volume();
     find_balls();
-    out_.twigs = find_twigs(complex_, left_, model_, progress_);
+    out_.twigs = find_twigs(complex_, left_, model_, out_.thin, progress_);
     return std::move(out_);
   }
 

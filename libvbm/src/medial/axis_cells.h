@@ -28,6 +28,7 @@ struct AxisCells {
   std::vector<double> volume;          // per vertex: share of the solid's tetrahedra drawn into it
   std::vector<int32_t> vertex_of_ball; // per inner ball of the model
   std::vector<Twig> twigs;             // the same
+  ThinShare thin;                      // what is not resolved
   double unit = 1;                     // length of the unit frame's unit in the input
 };
 

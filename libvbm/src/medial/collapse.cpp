@@ -23,10 +23,6 @@ namespace {
 /// Ratio of a curve's length to its largest ball's radius, up to which it is cut off.
 constexpr double kShortCurve = 2;
 
-/// Ratio of a face's width to the distance of samples next to its own, below which what it tells is
-/// as likely noise: at the tips of corners sheets are cut off before they get tangled.
-constexpr double kResolved = 2;
-
 /// Degrees. At a seam samples are at least so far apart, whatever angle makes a face part of the
 /// axis: with less, samples next to each other would be on different sides of the shape.
 constexpr double kSeamAngle = 45;

@@ -14,6 +14,10 @@ struct AxisOptions {
   const std::vector<double> *spacing = nullptr; // how far apart samples are at each; NULL: measured
 };
 
+/// Ratio of a face's width to the distance of samples next to its own, below which what it tells is
+/// as likely noise: at the tips of corners sheets are cut off before they get tangled.
+inline constexpr double kResolved = 2;
+
 /// What is left of a complex (one byte a cell), and where what went has gone.
 struct Collapsed {
   std::vector<uint8_t> face, edge, vertex;

@@ -12,6 +12,14 @@
 namespace vbm::impl {
 namespace {
 
+/// Ratio to a ball's radius: the chord of 90 degrees. Samples of a ball that far apart are on
+/// different sides of the shape.
+constexpr double kAcross = 1.414;
+
+/// Share of the volume. Along sharp edges and at bumps there always is some that is too near to the
+/// surface for an axis.
+constexpr double kThinVolume = 0.15;
+
 /// Every ball that is below others after all that are above it.
 std::vector<int32_t> from_the_tips(const std::vector<Twig> &twigs) {
   std::vector<int32_t> above(twigs.size(), 0), order;
@@ -36,11 +44,25 @@ double widest(const std::vector<Vec3> &at, const std::array<int32_t, 4> &k) {
   return std::sqrt(most);
 }
 
+/// Whether the tetrahedron reaches from one side of the shape to another, but not much farther than
+/// its samples lie apart: then the axis was not found there.
+bool lies_across(const std::vector<Vec3> &at, const std::vector<double> &spacing,
+                 const std::array<int32_t, 4> &k, double radius) {
+  for (int i = 0; i < 4; ++i)
+    for (int j = i + 1; j < 4; ++j) {
+      const double width = distance(at[k[i]], at[k[j]]);
+      if (width >= kAcross * radius && width < kResolved * std::max(spacing[k[i]], spacing[k[j]]))
+        return true;
+    }
+  return false;
+}
+
 void add(Twig &to, const Twig &twig) {
   to.cells += twig.cells;
   to.volume += twig.volume;
   to.width = std::max(to.width, twig.width);
   to.angle = std::max(to.angle, twig.angle);
+  to.thin |= twig.thin;
 }
 
 /// The ball that each collapsed vertex goes with: its own, or else the next one on its way to the
@@ -78,12 +100,23 @@ std::vector<int32_t> find_owners(const DualComplex &complex, const Collapsed &le
 
 } // namespace
 
+bool ThinShare::counts() const { return volume > kThinVolume; }
+
+std::string thin_text(const ThinShare &thin) {
+  if (!thin.counts()) return "";
+  return std::to_string(std::lround(100 * thin.volume)) +
+         " % of the volume has no sheet of its own: the sampling is too thin at " +
+         std::to_string(thin.samples) + (thin.samples == 1 ? " sample\n" : " samples\n");
+}
+
 std::vector<Twig> find_twigs(const DualComplex &complex, const Collapsed &left, const Model &model,
-                             Progress &progress) {
+                             ThinShare &thin, Progress &progress) {
   const Cells &cells = model.cells;
   const std::vector<Vec3> &at = model.samples.position;
   std::vector<Twig> out(model.inner);
   const std::vector<int32_t> owner = find_owners(complex, left, model, out);
+  const std::vector<double> spacing = sample_spacing(model, progress);
+  std::vector<uint8_t> at_thin(at.size(), 0);
   double whole = 0;
   for (std::size_t c = 0; c < cells.size(); ++c) {
     progress.tick(0, 1);
@@ -93,10 +126,18 @@ std::vector<Twig> find_twigs(const DualComplex &complex, const Collapsed &left, 
     const double volume =
         std::fabs(dot(cross(at[k[1]] - at[k[0]], at[k[2]] - at[k[0]]), at[k[3]] - at[k[0]]));
     whole += volume;
+    const bool across = !left.vertex[v] && lies_across(at, spacing, k, complex.ball[v].radius);
+    if (across) {
+      thin.volume += volume;
+      for (int32_t s : k) at_thin[s] = 1;
+    }
     if (owner[v] < 0) continue;
     const double width = widest(at, k);
-    add(out[owner[v]], {-1, 1, volume, float(width), float(width / (2 * complex.ball[v].radius))});
+    add(out[owner[v]],
+        {-1, 1, volume, float(width), float(width / (2 * complex.ball[v].radius)), across});
   }
+  if (whole > 0) thin.volume /= whole;
+  thin.samples = std::size_t(std::count(at_thin.begin(), at_thin.end(), 1));
   for (int32_t b : from_the_tips(out))
     if (out[b].below >= 0) add(out[out[b].below], out[b]);
   for (Twig &twig : out) {

@@ -5,6 +5,7 @@
 #include "medial/collapse.h"
 
 #include <cstdint>
+#include <string>
 #include <vector>
 
 namespace vbm::impl {
@@ -18,11 +19,23 @@ struct Twig {
   double volume = 0;  // their share of the solid's
   float width = 0;    // largest distance of two samples of a tetrahedron, unit frame
   float angle = 0;    // degrees: the largest angle under which such samples are seen
+  bool thin = false;  // one of the tetrahedra lies across a wall that the samples do not resolve
 };
 
-/// Per inner ball of the model.
+/// What an axis lacks, where samples are no nearer to each other than the shape is thin.
+struct ThinShare {
+  double volume = 0;       // share of the solid's in tetrahedra across such walls, off the axis
+  std::size_t samples = 0; // of these tetrahedra
+  /// Whether that is more than corners and noise have.
+  bool counts() const;
+};
+
+/// Per inner ball of the model. `thin` is where to put what the axis lacks.
 std::vector<Twig> find_twigs(const DualComplex &complex, const Collapsed &left, const Model &model,
-                             Progress &progress);
+                             ThinShare &thin, Progress &progress);
+
+/// A line that says so, or "".
+std::string thin_text(const ThinShare &thin);
 
 /// Per ball: what all balls of its twig have together.
 std::vector<double> sum_over_twigs(const std::vector<Twig> &twigs, std::vector<double> per_ball);

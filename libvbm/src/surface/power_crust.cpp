@@ -19,6 +19,7 @@
 #include "surface/triangulate.h"
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 
 namespace vbm::impl {
@@ -28,10 +29,54 @@ namespace {
 /// with Voronoi balls where the sampling is thin.
 constexpr int kAttempts = 2;
 
+/// Part of the diagonal of the samples' box. A crust that reaches farther beyond the box is not of
+/// the shape they are on: spheres and round ends of as few samples as have an inside stand out by
+/// half of this.
+constexpr double kFarBeyond = 0.1;
+/// Ratio of volumes: a crust that holds so much more than the inside tetrahedra is not near them.
+constexpr double kFarMore = 1.2;
+
 /// Whether the crust has the components and handles of the solid. Sampled thinly, even balls with
 /// the right labels can meet across a gap or miss each other across a neck.
 bool same_topology(const CrustComplex &crust, const Boundary &boundary, Progress &progress) {
   return crust.euler() == boundary.euler() && crust.components == boundary.components(progress);
+}
+
+/// How far the crust reaches beyond the samples' bounding box, in parts of the box's diagonal.
+/// Where balls are right they stand out by little; where samples lie on a shape's ends alone, a
+/// ball through them holds its sides.
+double beyond_samples(const std::vector<Vec3> &position, const std::vector<Vec3> &samples) {
+  Vec3 low = samples[0], high = low;
+  for (const Vec3 &p : samples)
+    for (int a = 0; a < 3; ++a) low[a] = std::min(low[a], p[a]), high[a] = std::max(high[a], p[a]);
+  double most = 0;
+  for (const Vec3 &p : position)
+    for (int a = 0; a < 3; ++a) most = std::max({most, low[a] - p[a], p[a] - high[a]});
+  return most / distance(low, high);
+}
+
+double volume_within(const CrustMesh &mesh) {
+  double sum = 0;
+  const Vec3 origin = mesh.position.empty() ? Vec3{} : mesh.position[0];
+  for (std::size_t p = 0; p + 1 < mesh.polygons.offset.size(); ++p) {
+    const int32_t *v = mesh.polygons.index.data();
+    const Vec3 a = mesh.position[v[mesh.polygons.offset[p]]] - origin;
+    for (uint64_t i = mesh.polygons.offset[p] + 2; i < mesh.polygons.offset[p + 1]; ++i)
+      sum += dot(a, cross(mesh.position[v[i - 1]] - origin, mesh.position[v[i]] - origin));
+  }
+  return std::fabs(sum) / 6;
+}
+
+double volume_of_tetrahedra(const Model &model, Progress &progress) {
+  const std::vector<Vec3> &at = model.samples.position;
+  double sum = 0;
+  for (std::size_t c = 0; c < model.cells.size(); ++c) {
+    progress.tick(0, 1);
+    if (!model.inside[c]) continue;
+    const auto &k = model.cells.vertex[c];
+    sum += std::fabs(dot(cross(at[k[1]] - at[k[0]], at[k[2]] - at[k[0]]), at[k[3]] - at[k[0]]));
+  }
+  return sum / 6;
 }
 
 /// Give polygons in `cut` a vertex in their middle, and make them triangles.
@@ -114,7 +159,7 @@ void fill_vertices(Surface &surface, const CrustMesh &mesh, const Model &model,
   }
 }
 
-Surface crust_of_voronoi_balls(const Model &model, Progress &progress) {
+Surface crust_of_voronoi_balls(const Model &model, const char *why, Progress &progress) {
   progress.stage("interpolating surface", 1);
   Surface surface = interpolating_surface(model, progress);
   for (std::size_t p = 0; p < surface.polygon_ball.size(); ++p)
@@ -122,9 +167,8 @@ Surface crust_of_voronoi_balls(const Model &model, Progress &progress) {
       if (const int32_t s = surface.vertex_sample[surface.polygons.index[i]];
           s >= 0 && surface.polygon_ball[p] < 0)
         surface.polygon_ball[p] = model.inner_pole[s];
-  surface.notes += "the sampling is too thin for a power crust of polar balls with the solid's "
-                   "components and handles; this is the crust of all Voronoi balls, which is the "
-                   "interpolating surface\n";
+  surface.notes += std::string("the sampling is too thin for a power crust of polar balls ") + why +
+                   "; this is the crust of all Voronoi balls, which is the interpolating surface\n";
   return surface;
 }
 
@@ -138,8 +182,10 @@ Surface power_crust(const Model &model, const uint8_t *keep, const uint8_t *keep
   uint64_t clamped = 0;
   progress.stage("power diagram", 0.02);
   const Boundary boundary = keep ? Boundary{} : find_boundary(model.cells, model.inside, progress);
+  const char *failure = "";
+  double beyond = 0;
   for (int attempt = 0;; ++attempt) {
-    if (attempt == kAttempts) return crust_of_voronoi_balls(model, progress);
+    if (attempt == kAttempts) return crust_of_voronoi_balls(model, failure, progress);
     progress.stage("power diagram", attempt ? 0.86 : 0.7);
     selected =
         attempt ? select_with_support(model, progress) : select_balls(model, keep, keep_outer);
@@ -147,11 +193,16 @@ Surface power_crust(const Model &model, const uint8_t *keep, const uint8_t *keep
     progress.stage("power crust", attempt ? 0.88 : 0.85);
     const CrustComplex crust =
         crust_complex(std::move(diagram), selected.balls.size(), selected.inner, progress);
+    failure = "with the solid's components and handles";
     if (!keep && !same_topology(crust, boundary, progress)) continue;
     const CrustVertices vertices = crust_vertices(crust, model, selected, progress);
     clamped = vertices.clamped;
     mesh = merge_crust(crust, vertices, selected.balls, model, progress);
-    break;
+    beyond = beyond_samples(mesh.position, model.samples.position);
+    failure = "that stays near the samples";
+    if (keep || (beyond <= kFarBeyond &&
+                 volume_within(mesh) <= kFarMore * volume_of_tetrahedra(model, progress)))
+      break;
   }
   progress.stage("triangles", 0.95);
   Triangles triangles = triangulate(mesh.position, mesh.polygons, progress);
@@ -171,6 +222,14 @@ Surface power_crust(const Model &model, const uint8_t *keep, const uint8_t *keep
         std::to_string(clamped) + (clamped == 1 ? " corner" : " corners") +
         " of the power crust's faces would lie far off the balls, and were drawn back to "
         "them\n";
+  const uint64_t thin = model.undersampled.size(), samples = model.samples.position.size();
+  if (2 * thin > samples)
+    surface.notes += "the sampling is too thin to trust the surface at " + std::to_string(thin) +
+                     " of " + std::to_string(samples) + " samples\n";
+  if (beyond > kFarBeyond)
+    surface.notes += "the surface reaches beyond the samples by " +
+                     std::to_string(std::lround(100 * beyond)) +
+                     " % of their box's diagonal: the sampling is too thin for these balls\n";
   return surface;
 }
 
