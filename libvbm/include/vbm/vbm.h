@@ -120,7 +120,7 @@ typedef struct vbm_build_options {
   int32_t balls;         /* vbm_balls; default POLAR                                              */
   int32_t labels;        /* vbm_labels; default AUTO                                              */
   double spacing;        /* meshes: no gap between samples on faces and edges exceeds this length;
-                            0 (default) chooses it from the mesh; negative takes vertices only    */
+                            0 (default) chooses it, smaller where it is thin; negative: vertices */
   double undersampling;  /* a sample is reported as too thinly sampled where the nearest samples
                             on the surface are farther than this times its local feature size
                             (3.2.2, r-sample); default 0.7, range 0.05 to 1                       */

@@ -3,7 +3,9 @@
 #pragma once
 
 #include "core/samples.h"
+#include "sampling/buried.h"
 #include "sampling/triangle_mesh.h"
+#include "sampling/triangle_tree.h"
 
 namespace vbm::impl {
 
@@ -12,8 +14,10 @@ namespace vbm::impl {
 /// in equal parts; and every point of a face is at most h from a sample on the surface. Vertices
 /// count, so a mesh with no edge longer than h gets nothing. Sets samples.spacing and
 /// samples.added. Throws VBM_ERROR_LIMIT, before allocating, if a spacing asked for needs more
-/// samples than allowed.
+/// samples than allowed. A spacing of the library's own choice is less where the mesh is thin, told
+/// by `tree` and `buried` (may be null).
 void fill_gaps(const TriangleMesh &mesh, const std::vector<Vec3> &face_normal,
-               const vbm_build_options &options, Samples &samples, Progress &progress);
+               const TriangleTree &tree, const BuriedTest *buried, const vbm_build_options &options,
+               Samples &samples, Progress &progress);
 
 } // namespace vbm::impl

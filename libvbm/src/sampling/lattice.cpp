@@ -28,9 +28,11 @@ double scatter(int64_t row, int64_t column, uint64_t salt) {
 
 Lattice::Lattice(const TriangleMesh &mesh, const std::vector<Vec3> &position,
                  const std::vector<Vec3> &face_normal, const std::vector<double> &edge_length,
-                 double spacing, Progress &progress)
-    : mesh_(mesh), position_(position), face_normal_(face_normal), spacing_(spacing),
-      length_(edge_length) {
+                 const std::vector<double> &parts, const SpacingField &field, double top,
+                 Progress &progress)
+    : mesh_(mesh), position_(position), face_normal_(face_normal), field_(field), top_(top),
+      length_(edge_length), parts_(parts) {
+  for (double s = top; s > field.least() * kLevelSlack; s /= 2) ++levels_;
   joined_.assign(mesh.edge.size(), 0);
   patch_of_.assign(mesh.triangle.size(), -1);
   for (std::size_t t = 0; t < mesh.triangle.size(); ++t) {
@@ -44,7 +46,7 @@ Lattice::Lattice(const TriangleMesh &mesh, const std::vector<Vec3> &position,
     const Triangle &v = mesh.triangle[m.triangle];
     area += length(cross(position[v[1]] - position[v[0]], position[v[2]] - position[v[0]])) / 2;
   }
-  const double c = kLattice * spacing;
+  const double c = kLattice * top;
   estimate_ = area / c / c / kRow;
 }
 
@@ -108,9 +110,9 @@ std::array<Lattice::Corner, 3> Lattice::flatten(const Member &member) const {
   return corner;
 }
 
-bool Lattice::in_margin(int32_t triangle, const std::array<Corner, 3> &corner, double u,
-                        double v) const {
-  const double margin = kLatticeMargin * spacing_, margin2 = margin * margin;
+bool Lattice::in_margin(int32_t triangle, const std::array<Corner, 3> &corner, double u, double v,
+                        double spacing) const {
+  const double margin = kLatticeMargin * spacing, margin2 = margin * margin;
   for (int c = 0; c < 3; ++c) {
     const Corner &p = corner[c], &q = corner[(c + 1) % 3];
     const double pu = u - p.u, pv = v - p.v, eu = q.u - p.u, ev = q.v - p.v;
@@ -124,13 +126,13 @@ bool Lattice::in_margin(int32_t triangle, const std::array<Corner, 3> &corner, d
 
 /// The point of the triangle over (u, v) of its patch, moved a little if it stays in the triangle.
 Vec3 Lattice::place(const Member &member, const std::array<Corner, 3> &corner, int64_t row,
-                    int64_t column, double u, double v) const {
+                    int64_t column, double u, double v, double spacing) const {
   const Corner &p = corner[0];
   const double au = corner[1].u - p.u, av = corner[1].v - p.v, bu = corner[2].u - p.u,
                bv = corner[2].v - p.v, area = au * bv - av * bu;
   const uint64_t salt = 2 * static_cast<uint64_t>(member.patch);
   // Half of a square's side so that no move is longer than the jitter allows.
-  const double reach = kLatticeJitter * spacing_ * 0.7071;
+  const double reach = kLatticeJitter * spacing * 0.7071;
   double du = u - p.u + reach * scatter(row, column, salt);
   double dv = v - p.v + reach * scatter(row, column, salt + 1);
   double s = (du * bv - dv * bu) / area, t = (au * dv - av * du) / area;
@@ -145,14 +147,44 @@ Vec3 Lattice::place(const Member &member, const std::array<Corner, 3> &corner, i
   return a + (position_[name[1]] - a) * s + (position_[name[2]] - a) * t;
 }
 
-void Lattice::visit(const std::function<void(int32_t, const Vec3 &)> &visit) const {
-  for (const Member &member : members_) visit_points(member, visit);
+double Lattice::samples_on_edges() const {
+  double sum = 0;
+  for (std::size_t e = 0; e < parts_.size(); ++e)
+    if (!within_patch(e)) sum += parts_[e] - 1;
+  return sum;
 }
 
-void Lattice::visit_points(const Member &member,
-                           const std::function<void(int32_t, const Vec3 &)> &visit) const {
+double Lattice::level_spacing(double top, double spacing) {
+  while (top > spacing * kLevelSlack) top /= 2;
+  return top;
+}
+
+double Lattice::spacing_at(const Vec3 &p) const {
+  return levels_ == 1 ? top_ : level_spacing(top_, field_.at(p));
+}
+
+/// Whether there can be a point on the triangle that levels before this one are too coarse for.
+bool Lattice::may_have(const Member &member, int level) const {
+  if (level == 0) return true;
+  const Triangle &v = mesh_.triangle[member.triangle];
+  const Vec3 a = position_[v[0]], b = position_[v[1]], c = position_[v[2]];
+  const Vec3 middle = (a + b + c) * (1.0 / 3);
+  const double reach = std::max({distance(middle, a), distance(middle, b), distance(middle, c)});
+  return field_.at(middle) - kSpacingGrowth * reach < std::ldexp(top_, 1 - level);
+}
+
+void Lattice::visit(const Visit &visit) const {
+  for (const Member &member : members_)
+    for (int level = 0; level < levels_; ++level)
+      if (may_have(member, level)) visit_points(member, level, visit);
+}
+
+/// The points of one level that are not of a coarser one, where the spacing asks for the level.
+void Lattice::visit_points(const Member &member, int level, const Visit &visit) const {
   const std::array<Corner, 3> corner = flatten(member);
-  const double step = kLattice * spacing_, row_step = step * kRow;
+  const Patch &patch = patches_[member.patch];
+  const double spacing = std::ldexp(top_, -level);
+  const double step = kLattice * spacing, row_step = step * kRow;
   const auto [low, high] = std::minmax({corner[0].v, corner[1].v, corner[2].v});
   for (int64_t row = std::llround(std::ceil(low / row_step)); row * row_step < high; ++row) {
     const double v = row * row_step, shift = row & 1 ? 0.5 : 0;
@@ -169,8 +201,20 @@ void Lattice::visit_points(const Member &member,
     for (int64_t column = std::llround(std::ceil(begin / step - shift));
          (column + shift) * step < end; ++column) {
       const double u = (column + shift) * step;
-      if (!in_margin(member.triangle, corner, u, v))
-        visit(member.triangle, place(member, corner, row, column, u, v));
+      double here = spacing;
+      if (levels_ > 1) {
+        const double wanted = field_.at(patch.origin + patch.u * u + patch.v * v);
+        here = level_spacing(top_, wanted);
+        if (here > spacing) { // on to where it may be less
+          const double rest = (wanted * kLevelSlack - 2 * spacing) / kSpacingGrowth;
+          column += std::max<int64_t>(0, int64_t(rest / step) - 1);
+          continue;
+        }
+        const bool coarser = (row & 1) == 0 && ((column - row / 2) & 1) == 0;
+        if (level > 0 && coarser) continue;
+      }
+      if (!in_margin(member.triangle, corner, u, v, here))
+        visit(member.triangle, place(member, corner, row, column, u, v, here), here);
     }
   }
 }

@@ -119,11 +119,11 @@ Samples sample_mesh(const double *vertices, std::size_t vertex_count, const uint
   std::shared_ptr<const BuriedTest> buried;
   if (parts.usable && parts.overlap && parts.part.size() <= kManyParts)
     buried = std::make_shared<const BuriedTest>(mesh.triangle, parts, progress);
-  std::vector<Vec3> position = normals ? std::move(parts.position) : samples.position;
-  fill_gaps(mesh, face_normal, options, samples, progress);
+  const auto tree = mesh_tree(mesh.triangle, normals ? std::move(parts.position) : samples.position,
+                              parts, progress);
+  fill_gaps(mesh, face_normal, *tree, buried.get(), options, samples, progress);
   if (buried) drop_buried(*buried, samples, progress);
-  set_mesh_queries(std::move(mesh.triangle), std::move(position), parts, std::move(buried), samples,
-                   progress);
+  set_mesh_queries(tree, parts, std::move(buried), samples);
   return samples;
 }
 

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "sampling/mesh_queries.h"
 
-#include "sampling/triangle_tree.h"
-
 #include <algorithm>
 
 namespace vbm::impl {
@@ -56,14 +54,18 @@ std::vector<uint8_t> uses(const Parts &parts) {
 
 } // namespace
 
-void set_mesh_queries(std::vector<Triangle> triangles, std::vector<Vec3> position,
-                      const Parts &parts, std::shared_ptr<const BuriedTest> buried,
-                      Samples &samples, Progress &progress) {
+std::shared_ptr<const TriangleTree> mesh_tree(std::vector<Triangle> triangles,
+                                              std::vector<Vec3> position, const Parts &parts,
+                                              Progress &progress) {
   triangles.insert(triangles.end(), parts.caps.begin(), parts.caps.end());
-  const auto tree =
-      std::make_shared<const TriangleTree>(std::move(position), triangles, uses(parts), progress);
+  return std::make_shared<const TriangleTree>(std::move(position), triangles, uses(parts),
+                                              progress);
+}
+
+void set_mesh_queries(std::shared_ptr<const TriangleTree> tree, const Parts &parts,
+                      std::shared_ptr<const BuriedTest> buried, Samples &samples) {
   samples.refiner = std::make_unique<MeshRefiner>(tree, std::move(buried));
-  if (parts.usable) samples.inside = std::make_unique<WindingTest>(tree, parts.overlap);
+  if (parts.usable) samples.inside = std::make_unique<WindingTest>(std::move(tree), parts.overlap);
 }
 
 } // namespace vbm::impl

@@ -18,8 +18,9 @@ inline constexpr uint64_t kDefaultSampleLimit = 20'000'000;
 /// note.
 inline constexpr double kFewSteps = 1 << 17;
 
-/// Unit lengths. Points within this of each other are one sample: circumscribed balls cannot be told
-/// apart at such distances (kCospherical), and the ball between two such points has no meaning.
+/// Unit lengths. Points within this of each other are one sample: circumscribed balls cannot be
+/// told apart at such distances (kCospherical), and the ball between two such points has no
+/// meaning.
 inline constexpr double kNearDuplicate = 2e-11;
 
 /// Sum of unit normals shorter than this (no unit) is of opposite normals: the direction is
@@ -52,11 +53,40 @@ inline constexpr double kSpacingsAcross = 50;
 /// area): a mesh that is evenly dense already gets next to nothing added.
 inline constexpr double kTypicalSides = 1.5;
 
-/// Cosine (40 degrees) of the angle between faces up to which an edge bends gently, and the share of
-/// all bent edges, by length, that must for a mesh to stand for a smooth shape. Its faces are then not
-/// sampled finer than its vertices: samples on the flat of a face lie below the curve, and the balls
-/// would fit the facets and not the shape.
+/// Cosine (40 degrees) of the angle between faces up to which an edge bends gently, and the share
+/// of all bent edges, by length, that must for a mesh to stand for a smooth shape. Its faces are
+/// then not sampled finer than its vertices: samples on the flat of a face lie below the curve, and
+/// the balls would fit the facets and not the shape.
 inline constexpr double kGentle = 0.766, kSmoothShare = 0.9;
+
+/// Or else automatic spacing is at most this times what half the area's triangles are narrower
+/// than: long strips, as of a cylinder, are cut along their length and not across. As much as
+/// kTypicalSides of a square's halves, so that evenly dense meshes get no more.
+inline constexpr double kTypicalWidths = 3;
+
+/// Ratio. A mesh whose typical triangle asks for a spacing (kTypicalSides) of at most this times
+/// what the whole shape does (kSpacingsAcross) is evenly dense, and not looked at for thin walls:
+/// scanned and remeshed shapes are at 0.5 to 2.3, those made of a few large faces above 5.
+inline constexpr double kEvenlyDense = 2.5;
+
+/// Samples that a wall's thickness has for every one along it, where the spacing is automatic. At
+/// sharp edges there are twice as many. Measured on plates and bars: the sheet in a wall needs 2.3
+/// (kResolved of samples kLattice apart, and jitter), the sheets that run into sharp edges 5.5.
+inline constexpr double kSamplesThrough = 3;
+
+/// Ratio. Samples are counted for a spacing from its probes, and it is enlarged if they become more
+/// than so many times as many as they should.
+inline constexpr double kMostOverEstimate = 1.25;
+
+/// Growth of the spacing by distance from where it is small.
+inline constexpr double kSpacingGrowth = 0.25;
+
+/// Ratio. Lattices of levels are taken for a spacing that is less than theirs by rounding only.
+inline constexpr double kLevelSlack = 1 + 1e-9;
+
+/// Thin walls get at most so many samples more, and of these at most so many times their share of
+/// the area, but always the least.
+inline constexpr double kMostThin = 350'000, kThinShare = 4, kLeastThin = 10'000;
 
 /// Automatic spacing adds at most the larger of so many samples and so many per vertex, ...
 inline constexpr double kMostAdded = 200'000, kMostAddedPerVertex = 4;
