@@ -81,8 +81,8 @@ void bind_errors(py::module_ &module) {
       py::make_tuple(py::handle(PyExc_RuntimeError)), VBM_ERROR_INTERNAL);
   for (const Kind &kind : kKinds) {
     const py::handle error(base);
-    const py::tuple bases = kind.other_base ? py::make_tuple(error, py::handle(*kind.other_base))
-                                            : py::make_tuple(error);
+    py::tuple bases = py::make_tuple(error);
+    if (kind.other_base) bases = py::make_tuple(error, py::handle(*kind.other_base));
     classes()[kind.status] = make_class(module, kind.name, kind.doc, bases, kind.status);
   }
   py::register_local_exception_translator([](std::exception_ptr pointer) {
