@@ -58,8 +58,7 @@ def test_axis_is_the_librarys():
     assert sorted(item.level for item in items) == [1] * 12 + [2]
     inner = next(number for number, item in enumerate(items) if item.level == 2)
     locks = values(mesh, "lock")
-    assert {axis_object.LOCKS[list(axis_object.LOCKS)[lock]]
-            for lock in locks[values(mesh, "part") == inner]} == {axis_object.LOCKS["inner"]}
+    assert {axis_object.LOCKS[lock] for lock in locks[values(mesh, "part") == inner]} == {"inner"}
     assert not locks[values(mesh, "part") != inner].any()
     assert topology(surface_of(source).data) == (1, 0)
 
