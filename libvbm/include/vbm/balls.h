@@ -60,7 +60,10 @@ typedef struct vbm_ball_surface_options {
   double bulge;   /* where the middle of a polygon would be farther from its ball's sphere than this
                      share of the radius, vertices on the sphere are added, and on long arcs; skin: where
                      the middle of an edge would be as far from the skin, and shorter edges are
-                     contracted; default 0.15, 0.001 to 1                                            */
+                     contracted; default 0.15, 0.001 to 1. Singular points: no triangle's middle is
+                     farther from its sphere than about twice this; where most of the union's area is
+                     of balls bare of more than half a steradian it is divided by 5 at the default and
+                     above, by less at smaller ones                                                  */
   double bridge;  /* not of the skin: balls whose radii would meet if they were larger by this share
                      are joined (8.3.5); default 0, 0 to 1                                           */
   double shrink;  /* skin: the shrink factor. Near 1 it is the balls with narrow creases, smaller ones
@@ -68,7 +71,8 @@ typedef struct vbm_ball_surface_options {
   double narrow;  /* singular points: what is bare of a ball and narrower than this share of the
                      distance between faces (the root of the area there is for a ball), than `bulge`
                      and than 0.15 radii, is closed: its neighbours' faces meet. Without it balls in
-                     a tube make faces a hundred times longer than wide; default 0.4, 0 to 1         */
+                     a tube make faces a hundred times longer than wide. Where most of the area is of
+                     such wide balls nothing is closed; default 0.37, 0 to 1                         */
 } vbm_ball_surface_options;
 
 VBM_API void vbm_ball_surface_options_init(vbm_ball_surface_options *options, size_t struct_size);

@@ -37,6 +37,7 @@ public:
       : editor_(editor), reach_(reach), bulge_(bulge), progress_(progress) {}
 
   void run() {
+    find_fixed();
     contract_short_arcs();
     editor_.close(bulge_, progress_);
     PatchComplex &c = editor_.complex;
@@ -60,6 +61,14 @@ private:
     return std::min(reach_[c.patches[d.patch].ball], reach_[c.patches[c.darts[d.twin].patch].ball]);
   }
 
+  /// Corners of patches where nothing is to be closed stay.
+  void find_fixed() {
+    const PatchComplex &c = editor_.complex;
+    for (std::size_t d = 0; d < c.darts.size(); ++d)
+      if (editor_.alive(int32_t(d)) && reach_[c.patches[c.darts[d].patch].ball] == 0)
+        editor_.fix(editor_.from(int32_t(d)));
+  }
+
   void contract_short_arcs() {
     PatchComplex &c = editor_.complex;
     struct Short {
@@ -81,7 +90,7 @@ private:
       progress_.tick(1, 1);
       const int32_t u = editor_.from(s.dart), v = editor_.to(s.dart);
       if (!editor_.alive(s.dart) || u == v || is_round(s.dart)) continue;
-      if (editor_.sample(u) >= 0 && editor_.sample(v) >= 0) continue;
+      if (editor_.stays(u) && editor_.stays(v)) continue;
       if (editor_.reach_of(u, v) <= kDrift * reach_at(c.darts[s.dart])) editor_.contract(s.dart);
     }
   }
@@ -246,7 +255,7 @@ private:
       const int32_t there = to_from <= to_to ? d : c.darts[d].next, v = editor_.from(there);
       if (v == u || (disk && (c.darts[here].next == there || c.darts[there].next == here)))
         return -1;
-      if (editor_.sample(u) >= 0 && editor_.sample(v) >= 0) return -1;
+      if (editor_.stays(u) && editor_.stays(v)) return -1;
       if (editor_.reach_of(u, v) > kDrift * reach) return -1;
       return is_across(p, (x + editor_.at(v)) * 0.5, reach) ? there : -1;
     }
@@ -255,7 +264,8 @@ private:
     if (angle <= arc.from || angle >= arc.to || editor_.from(d) == u || editor_.to(d) == u)
       return -1;
     if (!is_across(p, (x + editor_.piece_point(d, angle)) * 0.5, reach)) return -1;
-    editor_.split(d, angle);
+    const int32_t made = editor_.split(d, angle);
+    if (reach_at(c.darts[d]) == 0) editor_.fix(made);
     parts_[n.piece].push_back(c.darts[d].next);
     return c.darts[d].next;
   }
@@ -301,7 +311,7 @@ private:
       if (is_short_loop(int32_t(d)) || is_short_loop(t)) continue;
       const int32_t u = editor_.from(before), w = editor_.from(int32_t(d)),
                     v = editor_.to(int32_t(d));
-      if (u == v || editor_.sample(w) >= 0) continue;
+      if (u == v || editor_.stays(w)) continue;
       const double gap = sag(int32_t(d), before, w);
       const double least = std::min(editor_.shape.site[p.ball].r, editor_.shape.site[q.ball].r);
       const double total = gap + std::max(off[d], off[before]);

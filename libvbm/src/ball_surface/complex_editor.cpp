@@ -12,14 +12,15 @@ namespace vbm::impl {
 
 ComplexEditor::ComplexEditor(PatchComplex &c, const DualShape &dual, std::vector<int32_t> sample)
     : complex(c), shape(dual), place_(c.position.size()), position_(c.position), blur_(c.blur),
-      reach_(c.position.size(), 0), sample_(std::move(sample)), alive_(c.darts.size(), 1) {
+      reach_(c.position.size(), 0), sample_(std::move(sample)), alive_(c.darts.size(), 1),
+      fixed_(c.position.size(), 0) {
   sample_.resize(position_.size(), -1);
   list_first_darts();
 }
 
-/// Samples keep their places, then points where three balls meet.
+/// Samples keep their places, and what is fixed, then points where three balls meet.
 int ComplexEditor::rank(int32_t v) const {
-  return sample_[v] >= 0 ? 2 : std::size_t(v) < complex.singular_points ? 1 : 0;
+  return stays(v) ? 2 : std::size_t(v) < complex.singular_points ? 1 : 0;
 }
 
 double ComplexEditor::reach_of(int32_t u, int32_t v) const {
@@ -43,6 +44,7 @@ void ComplexEditor::unite(int32_t u, int32_t v) {
   blur_[name] = blur_[kept];
   sample_[name] = sample_[kept];
   reach_[name] = reach;
+  fixed_[name] = fixed_[u] | fixed_[v];
 }
 
 bool ComplexEditor::contract(int32_t d) {
@@ -132,6 +134,7 @@ void ComplexEditor::fill_loop(int32_t p) {
   const int32_t d = dart_of(p), t = complex.darts[d].twin, q = complex.darts[t].patch;
   PatchComplex::Patch &other = complex.patches[q];
   if (other.loops == 1 && other.darts == 1) return; // nothing else there: stays
+  if (complex.patches[p].wraps) return;             // all but a point of its ball: stays
   const bool alone = complex.darts[t].next == t;    // one of several loops
   take_out(d);
   complex.patches[p].loops = -1;
@@ -205,6 +208,7 @@ int32_t ComplexEditor::add_vertex(const Vec3 &p) {
   blur_.push_back(0);
   reach_.push_back(0);
   sample_.push_back(-1);
+  fixed_.push_back(0);
   return place_.add();
 }
 

@@ -30,6 +30,11 @@ public:
   const Vec3 &at(int32_t vertex) const { return position_[vertex]; }
   int32_t sample(int32_t vertex) const { return sample_[vertex]; }
 
+  /// This vertex keeps its place from here on; what becomes one with it comes there.
+  void fix(int32_t vertex) { fixed_[vertex] = 1; }
+  bool stays(int32_t vertex) const { return sample_[vertex] >= 0 || fixed_[vertex] != 0; }
+  /// How far from its place the farthest of the points is that became this vertex.
+  double moved(int32_t vertex) const { return reach_[vertex]; }
   /// How far from its place the farthest of two vertices that become one would be.
   double reach_of(int32_t u, int32_t v) const;
 
@@ -80,7 +85,7 @@ private:
   std::vector<Vec3> position_; // by vertex, valid for those that name their sets
   std::vector<double> blur_, reach_;
   std::vector<int32_t> sample_;
-  std::vector<uint8_t> alive_;
+  std::vector<uint8_t> alive_, fixed_;
   std::vector<int32_t> first_, work_; // per patch one of its darts; patches to look at
 };
 

@@ -20,10 +20,10 @@ constexpr double kDeep = 0.02;
 class Flipping {
 public:
   Flipping(const std::vector<Vec3> &position, const std::vector<Ball> &balls,
-           std::vector<std::array<int32_t, 3>> &triangles, const std::vector<int32_t> &ball,
-           Progress &progress)
-      : position_(position), balls_(balls), t_(triangles), ball_(ball), progress_(progress),
-        moved_(triangles.size(), 0) {}
+           const std::vector<uint8_t> &wide, std::vector<std::array<int32_t, 3>> &triangles,
+           const std::vector<int32_t> &ball, Progress &progress)
+      : position_(position), balls_(balls), wide_(wide), t_(triangles), ball_(ball),
+        progress_(progress), moved_(triangles.size(), 0) {}
 
   std::vector<uint8_t> run() {
     std::vector<int32_t> work;
@@ -116,6 +116,7 @@ private:
     const int32_t h1 = next(h), h2 = next(h1), g1 = next(g), g2 = next(g1);
     const int32_t a = from(h), b = from(g), c = from(h2), d = from(g2);
     if (c == d) return false;
+    if (ball_[i] != ball_[j] && (wide_[ball_[i]] || wide_[ball_[j]])) return false;
     const Vec3 &pa = position_[a], &pb = position_[b], &pc = position_[c], &pd = position_[d];
     // Triangles that face their ball are wrong whatever else they are.
     const int wrong = faces_ball(i, a, b, c) + faces_ball(j, b, a, d),
@@ -151,6 +152,7 @@ private:
 
   const std::vector<Vec3> &position_;
   const std::vector<Ball> &balls_;
+  const std::vector<uint8_t> &wide_;
   std::vector<std::array<int32_t, 3>> &t_;
   const std::vector<int32_t> &ball_;
   Progress &progress_;
@@ -161,9 +163,10 @@ private:
 } // namespace
 
 std::vector<uint8_t> flip_needles(const std::vector<Vec3> &position, const std::vector<Ball> &balls,
+                                  const std::vector<uint8_t> &wide,
                                   std::vector<std::array<int32_t, 3>> &triangles,
                                   const std::vector<int32_t> &ball, Progress &progress) {
-  return Flipping(position, balls, triangles, ball, progress).run();
+  return Flipping(position, balls, wide, triangles, ball, progress).run();
 }
 
 } // namespace vbm::impl

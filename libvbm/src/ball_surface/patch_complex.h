@@ -18,7 +18,7 @@ inline constexpr double kMostNarrow = 0.15;
 
 struct PatchOptions {
   double bulge = 0.15;  // see vbm_ball_surface_options
-  double narrow = 0.4;  // see vbm_ball_surface_options
+  double narrow = 0.37; // see vbm_ball_surface_options
   bool bridged = false; // the dual shape is that of larger balls than `balls`
 };
 
@@ -61,9 +61,15 @@ struct PatchComplex {
   std::vector<Circle> circles;
   std::vector<Arc> arcs;
   std::vector<Patch> patches;
-  std::vector<double> bare;        // of every ball: the solid angle of its patches
+  std::vector<double> bare; // of every ball: the solid angle of its patches
+  double finer = 0;         // wide balls are finer than `bulge`: see find_fineness()
+  static constexpr double kMostFiner = 4;
   std::size_t offset_points = 0;   // where three balls do not meet (8.3.5)
   std::size_t singular_points = 0; // vertices 0 .. singular_points - 1; others are within arcs
+
+  /// Whether a ball is bare by so much that a polygon, or a few, would not be like it.
+  bool wide(int32_t ball) const { return bare[ball] > kWide; }
+  static constexpr double kWide = 0.5; // steradians
 
   int32_t to(const Dart &d) const { return darts[d.twin].from; }
   const Circle &circle(const Dart &d) const { return circles[arcs[d.arc].circle]; }
@@ -71,6 +77,12 @@ struct PatchComplex {
     return c.center + c.u * std::cos(angle) + c.v * std::sin(angle);
   }
 };
+
+/// How far from their ball faces may be, in radii.
+inline double bulge_of(const PatchComplex &complex, const PatchOptions &options, int32_t ball) {
+  if (!complex.wide(ball)) return options.bulge;
+  return options.bulge / (1 + complex.finer * std::min(1.0, options.bulge / kMostNarrow));
+}
 
 /// The complex of a dual shape. `balls` are those whose spheres vertices lie on: the shape's own,
 /// or smaller ones.

@@ -25,12 +25,16 @@ constexpr double kFanGap = 4;
 /// that it is narrow.
 constexpr double kNarrow = 0.5;
 
+/// Steradians: triangles that cover so much more than is bare of their ball are on the wrong side
+/// of a loop that runs the wrong way, as moved points make some do.
+constexpr double kWrongSide = 3;
+
 class Meshing {
 public:
   Meshing(const PatchComplex &complex, const DualShape &shape, std::vector<int32_t> sample,
           const PatchOptions &options, Progress &progress)
       : c_(complex), shape_(shape), options_(options), progress_(progress),
-        grid_(geodesic_sphere(options.bulge)) {
+        coarse_(geodesic_sphere(options.bulge)) {
     mesh_.position = complex.position;
     mesh_.sample = std::move(sample);
   }
@@ -54,6 +58,12 @@ private:
     int32_t vertex;
     int32_t diagonal = -1;
   };
+
+  const Geodesic &grid_of(int32_t ball) {
+    if (!c_.wide(ball)) return coarse_;
+    if (fine_.points.empty()) fine_ = geodesic_sphere(bulge_of(c_, options_, ball));
+    return fine_;
+  }
 
   /// Darts by patch.
   void list_darts() {
@@ -111,7 +121,8 @@ private:
     std::vector<std::vector<Side>> stack(1), faces, fans;
     for (int32_t v : loop_) stack[0].push_back({v});
     const int32_t diagonals = diagonals_;
-    const double bulge = options_.bulge * ball.r, most = 2 * std::sqrt(options_.bulge) * ball.r;
+    const double share = bulge_of(c_, options_, c_.patches[p].ball);
+    const double bulge = share * ball.r, most = 2 * std::sqrt(share) * ball.r;
     const bool pillow = is_pillow(p);
     while (!stack.empty()) {
       std::vector<Side> piece = std::move(stack.back());
@@ -122,8 +133,10 @@ private:
       const double gap =
           std::max(std::fabs(distance(middle, c) - ball.r), far * far / (2 * ball.r));
       const bool is_cut = diagonals_ > diagonals;
-      if (pillow) {
+      if (pillow && (any || gap <= kFanGap * bulge)) {
         fans.push_back(std::move(piece));
+      } else if (pillow) {
+        return false;
       } else if (gap <= bulge ||
                  (piece.size() == 3 && (any || (is_cut && gap <= kFanGap * bulge)))) {
         faces.push_back(std::move(piece));
@@ -136,8 +149,40 @@ private:
         return false;
       }
     }
+    // The middle of a large patch may be in another ball.
+    const bool has_room = fans.empty() || pillow || c_.finer == 0 || !c_.wide(c_.patches[p].ball);
+    if (!any && !(has_room && are_outward(faces, c) && are_star_shaped(fans, c))) {
+      diagonals_ = diagonals;
+      return false;
+    }
     for (const std::vector<Side> &f : faces) add_face(f.data(), f.size(), p);
     for (const std::vector<Side> &f : fans) add_fan(f, unit(middle_of(f) - c), ball, p);
+    return true;
+  }
+
+  bool is_outward(const Vec3 &p, const Vec3 &q, const Vec3 &r) const {
+    return dot(cross(p, q), r) > 0;
+  }
+
+  /// Whether those that are triangles face away from their ball's centre. Larger ones can be cut in
+  /// other ways yet.
+  bool are_outward(const std::vector<std::vector<Side>> &faces, const Vec3 &c) const {
+    return std::all_of(faces.begin(), faces.end(), [&](const std::vector<Side> &f) {
+      return f.size() > 3 ||
+             is_outward(mesh_.position[f[0].vertex] - c, mesh_.position[f[1].vertex] - c,
+                        mesh_.position[f[2].vertex] - c);
+    });
+  }
+
+  /// Whether triangles between all sides and the middle do.
+  bool are_star_shaped(const std::vector<std::vector<Side>> &fans, const Vec3 &c) const {
+    for (const std::vector<Side> &f : fans) {
+      const Vec3 middle = middle_of(f) - c;
+      for (std::size_t i = 0; i < f.size(); ++i)
+        if (!is_outward(mesh_.position[f[i].vertex] - c,
+                        mesh_.position[f[(i + 1) % f.size()].vertex] - c, middle))
+          return false;
+    }
     return true;
   }
 
@@ -199,8 +244,9 @@ private:
 
   void add_sphere(int32_t p) {
     const int32_t first = int32_t(mesh_.position.size());
-    for (const Vec3 &d : grid_.points) add_vertex(shape_.site[c_.patches[p].ball], d);
-    for (const auto &t : grid_.triangles) {
+    const Geodesic &grid = grid_of(c_.patches[p].ball);
+    for (const Vec3 &d : grid.points) add_vertex(shape_.site[c_.patches[p].ball], d);
+    for (const auto &t : grid.triangles) {
       const Side side[3] = {{first + t[0]}, {first + t[1]}, {first + t[2]}};
       add_face(side, 3, p);
     }
@@ -226,12 +272,14 @@ private:
     }
     patch.caps = caps_of(number);
     PatchTriangles built;
-    if (!triangulate_patch(patch, grid_, built, progress_) || meets_itself(built, corner)) {
+    if (!triangulate_patch(patch, grid_of(number), built, progress_) ||
+        solid_angle(patch, built) > c_.bare[number] + kWrongSide ||
+        (built.points.empty() && simple && is_pillow(p))) {
       if (simple) {
         add_disk(p, true);
         return;
       }
-      ring_patch(patch, patch_middle(patch, grid_), built);
+      ring_patch(patch, patch_middle(patch, grid_of(number)), built);
     }
     const int32_t corners = int32_t(corner.size()), first = int32_t(mesh_.position.size());
     for (const Vec3 &d : built.points) add_vertex(ball, d);
@@ -250,24 +298,6 @@ private:
       add_face(side, 3, p);
     }
     diagonals_ += int32_t(number_of.size());
-  }
-
-  /// Whether two corners that are one vertex have an edge, or one with the same point, so that it
-  /// would have four triangles.
-  static bool meets_itself(const PatchTriangles &built, const std::vector<int32_t> &corner) {
-    std::vector<int32_t> sorted(corner);
-    std::sort(sorted.begin(), sorted.end());
-    if (std::adjacent_find(sorted.begin(), sorted.end()) == sorted.end()) return false;
-    const int32_t corners = int32_t(corner.size());
-    std::vector<std::pair<int32_t, int32_t>> edges; // from corner to point
-    for (const auto &t : built.triangles)
-      for (int k = 0; k < 3; ++k) {
-        const int32_t u = t[k], v = t[(k + 1) % 3];
-        if (u < corners && v < corners && corner[u] == corner[v]) return true;
-        if (u < corners && v >= corners) edges.emplace_back(v, corner[u]);
-      }
-    std::sort(edges.begin(), edges.end());
-    return std::adjacent_find(edges.begin(), edges.end()) != edges.end();
   }
 
   /// What other balls cover of a sphere.
@@ -363,7 +393,7 @@ private:
   const DualShape &shape_;
   PatchOptions options_;
   Progress &progress_;
-  Geodesic grid_;
+  Geodesic coarse_, fine_; // for wide balls, when there are any
   PatchMesh mesh_;
   std::vector<uint32_t> first_; // per patch, in dart_
   std::vector<int32_t> dart_, loop_, seen_;

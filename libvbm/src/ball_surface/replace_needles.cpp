@@ -24,11 +24,11 @@ std::array<int32_t, 4> around(const std::array<int32_t, 3> &a, const std::array<
 } // namespace
 
 void replace_needles(PatchMesh &mesh, Triangles &triangles, const std::vector<Ball> &balls,
-                     Progress &progress) {
+                     const std::vector<uint8_t> &wide, Progress &progress) {
   std::vector<int32_t> ball;
   for (int32_t p : triangles.polygon) ball.push_back(mesh.ball[p]);
   const std::vector<uint8_t> moved =
-      flip_needles(mesh.position, balls, triangles.corners, ball, progress);
+      flip_needles(mesh.position, balls, wide, triangles.corners, ball, progress);
   std::vector<uint8_t> broken(mesh.ball.size(), 0), free(moved.size(), 0);
   for (std::size_t t = 0; t < moved.size(); ++t)
     if (moved[t]) broken[triangles.polygon[t]] = 1;

@@ -14,6 +14,6 @@ class Progress;
 /// Flips needles (flip_needles.h); polygons that lose a triangle by that become triangles, and
 /// those pairs where they are flat.
 void replace_needles(PatchMesh &mesh, Triangles &triangles, const std::vector<Ball> &balls,
-                     Progress &progress);
+                     const std::vector<uint8_t> &wide, Progress &progress);
 
 } // namespace vbm::impl

@@ -8,10 +8,12 @@
 #include "ball_surface/singular_points.h"
 
 #include "ball_surface/close_narrow.h"
+#include "ball_surface/fine_arcs.h"
 #include "ball_surface/merge_points.h"
 #include "ball_surface/patch_area.h"
 #include "ball_surface/patch_mesh.h"
 #include "ball_surface/replace_needles.h"
+#include "ball_surface/turn_outwards.h"
 #include "core/error.h"
 #include "core/progress.h"
 #include "core/tolerances.h"
@@ -26,18 +28,42 @@
 namespace vbm::impl {
 namespace {
 
+/// Steradians: where a ball is more bare, there is nothing closed; it is no strip between others.
+constexpr double kMostBare = 1;
+
+/// How often a surface that is folded is made again: with less closed there, or, where nothing was,
+/// with so much of its bulge.
+constexpr int kAttempts = 2;
+constexpr double kFiner = 0.25;
+
 /// What balls, shape and complex say, and the points merged.
 struct Merged {
   DualShape shape;
   PatchComplex complex;
   std::vector<int32_t> sample;
+  bool closed = false; // whether points may have been moved
   std::size_t singular = 0, merged = 0, offset = 0;
 };
 
-Merged merged_complex(const UnionInput &set, const PatchOptions &options, double bridge,
-                      Progress &progress) {
+/// What is narrow at each ball, in unit lengths; empty where nothing is to be closed. Of a union of
+/// wide balls every patch is a part of its shape, and its faces are many anyway.
+std::vector<double> reaches(const Merged &m, const PatchOptions &options,
+                            const std::vector<uint8_t> &keep) {
+  const double narrow = options.narrow * (1 - m.complex.finer / PatchComplex::kMostFiner);
+  if (!(narrow > 0)) return {};
+  std::vector<double> reach = spacings(m.complex, m.shape);
+  const double most = std::min(options.bulge, kMostNarrow);
+  for (std::size_t b = 0; b < reach.size(); ++b) {
+    const bool closes = m.complex.bare[b] < kMostBare && (keep.empty() || !keep[b]);
+    reach[b] = closes ? std::min(narrow * reach[b], most * m.shape.site[b].r) : 0;
+  }
+  return reach;
+}
+
+/// Fills what of it is the shape's.
+void find_shape(Merged &m, const UnionInput &set, const PatchOptions &options, double bridge,
+                Progress &progress) {
   check_any(set);
-  Merged m;
   if (options.bridged) {
     std::vector<Ball> larger(set.balls);
     for (Ball &b : larger) b.radius *= 1 + bridge;
@@ -46,6 +72,11 @@ Merged merged_complex(const UnionInput &set, const PatchOptions &options, double
     m.shape = dual_shape(set.balls, set.touch, progress);
   }
   progress.stage("singular points", 0.8);
+}
+
+/// And the rest. At balls to be kept, where there are any, nothing is closed.
+void merge_complex(Merged &m, const UnionInput &set, const PatchOptions &options,
+                   const std::vector<uint8_t> &keep, Progress &progress) {
   m.complex = patch_complex(m.shape, set.balls, options, progress);
   m.singular = m.complex.singular_points;
   m.offset = m.complex.offset_points;
@@ -53,17 +84,35 @@ Merged merged_complex(const UnionInput &set, const PatchOptions &options, double
   if (set.model && !options.bridged)
     touched = {&set.model->ball_samples, &set.number, &set.model->samples.position};
   const std::vector<int32_t> sample = touched.of(m.complex, m.shape, progress);
-  std::vector<double> reach;
-  if (options.narrow > 0) reach = spacings(m.complex, m.shape);
-  for (std::size_t b = 0; b < reach.size(); ++b)
-    reach[b] = std::min(options.narrow * reach[b],
-                        std::min(options.bulge, kMostNarrow) * m.shape.site[b].r);
+  const std::vector<double> reach = reaches(m, options, keep);
+  m.closed = !reach.empty();
   ComplexEditor editor(m.complex, m.shape, sample);
   m.merged = merge_points(editor, sample, options, progress);
-  if (options.narrow > 0) close_narrow(editor, reach, options.bulge, progress);
+  if (m.closed) close_narrow(editor, reach, options.bulge, progress);
+  refine_arcs(editor, options, progress);
   editor.split_double_arcs(progress);
+  uncross_chords(editor, progress);
   m.sample = editor.finish();
-  return m;
+}
+
+std::vector<uint8_t> wide_balls(const PatchComplex &complex) {
+  std::vector<uint8_t> wide(complex.bare.size());
+  for (std::size_t b = 0; b < wide.size(); ++b) wide[b] = complex.wide(int32_t(b));
+  return wide;
+}
+
+/// Marks the balls of these triangles and of those round them.
+void keep_balls(const PatchMesh &mesh, const Triangles &triangles,
+                const std::vector<std::size_t> &folded, std::size_t balls,
+                std::vector<uint8_t> &keep) {
+  keep.resize(balls, 0);
+  std::vector<uint8_t> near(mesh.position.size(), 0);
+  for (std::size_t t : folded)
+    for (int32_t v : triangles.corners[t]) near[v] = 1;
+  for (std::size_t t = 0; t < triangles.corners.size(); ++t) {
+    const auto &c = triangles.corners[t];
+    if (near[c[0]] || near[c[1]] || near[c[2]]) keep[mesh.ball[triangles.polygon[t]]] = 1;
+  }
 }
 
 /// Polygons that triangulate() put a vertex in the middle of become the triangles round it.
@@ -150,13 +199,29 @@ Surface singular_point_surface(const UnionInput &set, const vbm_ball_surface_opt
   o.bridged = options.bridge > 0;
   o.narrow = options.narrow;
   progress.stage("dual shape", 0.6);
-  Merged m = merged_complex(set, o, options.bridge, progress);
-  progress.stage("polygons", 0.9);
-  const std::size_t before = m.complex.position.size();
-  PatchMesh mesh = patch_mesh(m.complex, m.shape, std::move(m.sample), o, progress);
-  Triangles triangles = triangulate(mesh.position, mesh.polygons, progress);
-  split_polygons(mesh, m.shape, triangles);
-  if (options.narrow > 0) replace_needles(mesh, triangles, set.balls, progress);
+  Merged m;
+  find_shape(m, set, o, options.bridge, progress);
+  PatchMesh mesh;
+  Triangles triangles;
+  std::size_t before = 0, folds = 0;
+  std::vector<uint8_t> keep;
+  for (int attempt = 0;; ++attempt) {
+    merge_complex(m, set, o, keep, progress);
+    if (attempt == 0) progress.stage("polygons", 0.9);
+    before = m.complex.position.size();
+    mesh = patch_mesh(m.complex, m.shape, std::move(m.sample), o, progress);
+    triangles = triangulate(mesh.position, mesh.polygons, progress);
+    turn_outwards(mesh, m.shape, triangles, progress);
+    split_polygons(mesh, m.shape, triangles);
+    if (m.closed) replace_needles(mesh, triangles, set.balls, wide_balls(m.complex), progress);
+    const std::vector<std::size_t> folded = folded_triangles(mesh, triangles, set.balls, progress);
+    folds = folded.size();
+    if (folds == 0 || attempt == kAttempts) break;
+    if (m.closed)
+      keep_balls(mesh, triangles, folded, set.balls.size(), keep);
+    else
+      o.bulge *= kFiner;
+  }
 
   Surface surface;
   progress.stage("checking", 1);
@@ -178,6 +243,9 @@ Surface singular_point_surface(const UnionInput &set, const vbm_ball_surface_opt
   if (report.offset_points)
     surface.notes += counted(report.offset_points, "singular point is", "singular points are") +
                      " where three balls do not meet: they are offset by the mean radius.\n";
+  if (folds)
+    surface.notes += counted(folds, "triangle faces", "triangles face") +
+                     " inwards: the surface may cross itself there.\n";
   surface.notes += note_on_points(set);
   measure(surface, progress);
   return surface;

@@ -1,238 +1,226 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Chew, "Constrained Delaunay triangulations" (1989), by CGAL (Yvinec, Pion), in the plane that a
-// stereographic projection makes of the sphere: circles stay circles, so that the triangles are
-// Delaunay on the sphere as well, and the projection's centre is within a cap the patch lies
-// outside of. What comes out is counted before it is believed: a patch of m loops is a disk with m
-// - 1 holes.
+// Chew, "Constrained Delaunay triangulations" (1989), on the sphere itself, so that patches may be
+// of any size and every triangle faces outwards. What comes out is counted before it is believed: a
+// patch of m loops is a disk with m - 1 holes.
 #include "ball_surface/sphere_patch.h"
 
-#include "balls/block_allocator.h"
-
-#define CGAL_ALLOCATOR(T) vbm::impl::BlockAllocator<T>
-#include <CGAL/Constrained_Delaunay_triangulation_2.h>
-#include <CGAL/Constrained_triangulation_face_base_2.h>
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Triangulation_face_base_with_info_2.h>
-#include <CGAL/Triangulation_vertex_base_with_info_2.h>
-
-#include "core/progress.h"
+#include "ball_surface/sphere_triangulation.h"
 
 #include <algorithm>
 #include <cmath>
-#include <set>
+#include <limits>
 
 namespace vbm::impl {
 namespace {
-
-using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-using VertexBase = CGAL::Triangulation_vertex_base_with_info_2<int32_t, Kernel>;
-using FaceBase =
-    CGAL::Triangulation_face_base_with_info_2<int8_t, Kernel,
-                                              CGAL::Constrained_triangulation_face_base_2<Kernel>>;
-using Structure = CGAL::Triangulation_data_structure_2<VertexBase, FaceBase>;
-using Plane = CGAL::Constrained_Delaunay_triangulation_2<
-    Kernel, Structure, CGAL::No_constraint_intersection_requiring_constructions_tag>;
-using Point = Kernel::Point_2;
 
 /// Shares of the grid's spacing: points of it nearer than these to a corner, or to a cap, are left
 /// out.
 constexpr double kCornerGap = 0.6, kCapGap = 0.35;
 
-/// Bits of a projected coordinate, relative to the largest: exact predicates then take no memory.
-constexpr int kPlaneBits = 48;
+/// Ways to turn the octahedron that are tried.
+constexpr int kTurns = 12;
 
-/// A projection of the sphere from the point `pole`, which keeps what is counter-clockwise seen
-/// from outside.
-class Projection {
+/// Where a patch has room for points.
+class Room {
 public:
-  explicit Projection(const Vec3 &pole) : pole_(pole) {
-    const Vec3 any = std::fabs(pole.x) < 0.6 ? Vec3{1, 0, 0} : Vec3{0, 1, 0};
-    u_ = unit(cross(pole, any));
-    v_ = cross(u_, pole);
+  Room(const SpherePatch &patch, double spacing)
+      : patch_(patch), near_(2 * std::sin(kCornerGap * spacing / 2)) {
+    for (const SpherePatch::Cap &cap : patch.caps) {
+      const double angle = std::acos(std::clamp(cap.cosine, -1.0, 1.0));
+      angle_.push_back(angle);
+      limit_.push_back(std::cos(std::min(angle + kCapGap * spacing, 3.141592653589793)));
+    }
   }
-  void add(const Vec3 &p) {
-    const double away = 1 - dot(p, pole_);
-    x_.push_back(dot(p, u_) / away);
-    y_.push_back(dot(p, v_) / away);
-  }
-  bool scale() {
-    double most = 0;
-    for (std::size_t i = 0; i < x_.size(); ++i)
-      most = std::max({most, std::fabs(x_[i]), std::fabs(y_[i])});
-    if (!(most < 1e12)) return false; // also for what is no number
-    step_ = std::ldexp(1.0, std::ilogb(most > 0 ? most : 1) + 1 - kPlaneBits);
+
+  bool is_free(const Vec3 &p) const {
+    for (std::size_t i = 0; i < limit_.size(); ++i)
+      if (dot(p, patch_.caps[i].axis) > limit_[i]) return false;
+    for (const std::vector<Vec3> &loop : patch_.loops)
+      for (const Vec3 &q : loop)
+        if (is_near(p, q)) return false;
     return true;
   }
-  /// On a grid of whole numbers below 2^48, scaled to be one digit of the exact type.
-  Point at(std::size_t i) const {
-    return {std::ldexp(std::nearbyint(x_[i] / step_), -kPlaneBits),
-            std::ldexp(std::nearbyint(y_[i] / step_), -kPlaneBits)};
+  bool is_near(const Vec3 &p, const Vec3 &q) const {
+    const Vec3 d = p - q;
+    return dot(d, d) < near_ * near_;
   }
-  std::size_t size() const { return x_.size(); }
+
+  /// How far a direction is from every border, in radians: within caps, too.
+  double clearance(const Vec3 &p) const {
+    double least = std::numeric_limits<double>::infinity(), deepest = 0;
+    for (std::size_t i = 0; i < angle_.size(); ++i) {
+      const double away = std::acos(std::clamp(dot(p, patch_.caps[i].axis), -1.0, 1.0)) - angle_[i];
+      deepest = std::max(deepest, -away);
+      least = std::min(least, away);
+    }
+    if (deepest > 0) return deepest;
+    for (const std::vector<Vec3> &loop : patch_.loops)
+      for (const Vec3 &q : loop) least = std::min(least, distance(p, q));
+    return least;
+  }
 
 private:
-  Vec3 pole_, u_, v_;
-  std::vector<double> x_, y_;
-  double step_ = 1;
+  const SpherePatch &patch_;
+  double near_;
+  std::vector<double> angle_, limit_;
 };
 
-bool is_free(const SpherePatch &patch, const Vec3 &p, double spacing) {
-  for (const SpherePatch::Cap &cap : patch.caps)
-    if (std::acos(std::clamp(dot(p, cap.axis), -1.0, 1.0)) <
-        std::acos(std::clamp(cap.cosine, -1.0, 1.0)) + kCapGap * spacing)
-      return false;
-  const double near = 2 * std::sin(kCornerGap * spacing / 2);
-  for (const std::vector<Vec3> &loop : patch.loops)
-    for (const Vec3 &q : loop)
-      if (distance(p, q) < near) return false;
-  return true;
+/// An octahedron turned so that its corners are away from the patch's borders.
+std::array<Vec3, 6> octahedron(const Room &room, double spacing) {
+  std::array<Vec3, 6> best{};
+  double most = -1;
+  for (int i = 0; i < kTurns && most < kCornerGap * spacing; ++i) {
+    // Turns spread over all by multiples of two irrational numbers.
+    const double z = 2 * std::fmod(0.5 + i * 0.7548776662466927, 1) - 1,
+                 turn = 6.283185307179586 * std::fmod(0.25 + i * 0.5698402909980532, 1);
+    const double s = std::sqrt(1 - z * z);
+    const Vec3 a{s * std::cos(turn), s * std::sin(turn), z};
+    const Vec3 other{std::sin(turn + i), std::cos(turn + 2 * i), std::sin(1.0 + 3 * i)};
+    const Vec3 b = unit(cross(a, other)), c = cross(a, b);
+    if (b == Vec3{}) continue;
+    const std::array<Vec3, 6> corners{a, -a, b, -b, c, -c};
+    double least = std::numeric_limits<double>::infinity();
+    for (const Vec3 &p : corners) least = std::min(least, room.clearance(p));
+    if (least > most) most = least, best = corners;
+  }
+  return best;
 }
 
 class Triangulating {
 public:
-  Triangulating(const SpherePatch &patch, PatchTriangles &out, Progress &progress)
-      : patch_(patch), out_(out), progress_(progress) {}
+  Triangulating(const SpherePatch &patch, const std::array<Vec3, 6> &start, PatchTriangles &out,
+                Progress &progress)
+      : patch_(patch), out_(out), sphere_(start, progress) {}
 
-  bool run(const Vec3 &pole) {
-    Projection projection(pole);
+  bool run(const std::vector<Vec3> &points) {
     for (const auto &loop : patch_.loops)
-      for (const Vec3 &p : loop) projection.add(p);
-    corners_ = projection.size();
-    for (const Vec3 &p : out_.points) projection.add(p);
-    if (!projection.scale()) return false;
-    for (std::size_t i = 0; i < projection.size(); ++i) {
-      progress_.tick(0, 1);
-      const Plane::Vertex_handle v = plane_.insert(projection.at(i), hint());
-      if (plane_.number_of_vertices() != i + 1) return false; // two in one place
-      v->info() = int32_t(i);
-      vertex_.push_back(v);
+      for (const Vec3 &p : loop) corner_.push_back(sphere_.insert(p));
+    for (const Vec3 &p : points) sphere_.insert(p);
+    std::size_t first = 0;
+    for (const auto &loop : patch_.loops) {
+      for (std::size_t i = 0; i < loop.size(); ++i)
+        side_.push_back({int32_t(first + i), int32_t(first + (i + 1) % loop.size())});
+      first += loop.size();
     }
-    return constrain() && mark() && count();
+    for (const auto &[u, v] : side_)
+      if (corner_[u] == corner_[v] || !sphere_.constrain(corner_[u], corner_[v])) return false;
+    sphere_.improve();
+    return mark() && name_corners() && collect();
   }
 
 private:
-  Plane::Face_handle hint() const {
-    return vertex_.empty() ? Plane::Face_handle() : vertex_.back()->face();
-  }
-
-  bool constrain() {
-    std::size_t first = 0;
-    for (const auto &loop : patch_.loops) {
-      for (std::size_t i = 0; i < loop.size(); ++i) {
-        progress_.tick(0, 1);
-        const auto a = vertex_[first + i], b = vertex_[first + (i + 1) % loop.size()];
-        plane_.insert_constraint(a, b); // throws where it would cross another
-      }
-      first += loop.size();
-    }
-    return plane_.number_of_vertices() == vertex_.size();
-  }
+  using Triangle = SphereTriangulation::Triangle;
 
   /// What is on the left of the loops, and reached from there without crossing them.
   bool mark() {
-    for (auto f = plane_.all_faces_begin(); f != plane_.all_faces_end(); ++f) f->info() = 0;
-    std::vector<Plane::Face_handle> stack;
-    std::size_t first = 0;
-    for (const auto &loop : patch_.loops) {
-      for (std::size_t i = 0; i < loop.size(); ++i) {
-        Plane::Face_handle f;
-        int k = 0;
-        const auto a = vertex_[first + i], b = vertex_[first + (i + 1) % loop.size()];
-        if (!plane_.is_edge(a, b, f, k) || !f->is_constrained(k)) return false;
-        // The face in which b follows a counter-clockwise.
-        if (f->vertex(Plane::ccw(k)) != a) f = f->neighbor(k);
-        if (!f->info()) stack.push_back(f);
-        f->info() = 1;
-        left_.emplace_back(a, b);
-      }
-      first += loop.size();
+    std::vector<Triangle> &t = sphere_.triangles();
+    std::vector<int32_t> stack;
+    int side = 0;
+    for (const auto &[u, v] : side_) {
+      const int32_t left = sphere_.find(corner_[u], corner_[v], side);
+      if (left < 0) return false;
+      if (!t[left].mark) stack.push_back(left);
+      t[left].mark = 1;
     }
     while (!stack.empty()) {
-      const Plane::Face_handle f = stack.back();
+      const int32_t at = stack.back();
       stack.pop_back();
-      if (plane_.is_infinite(f)) return false;
       for (int k = 0; k < 3; ++k) {
-        if (f->is_constrained(k)) continue;
-        const Plane::Face_handle g = f->neighbor(k);
-        if (g->info()) continue;
-        g->info() = 1;
-        stack.push_back(g);
+        const int32_t n = t[at].neighbor[k];
+        if (t[at].fixed[k] || t[n].mark) continue;
+        t[n].mark = 1;
+        stack.push_back(n);
       }
     }
     // The right sides must have stayed outside.
-    for (const auto &[a, b] : left_) {
-      Plane::Face_handle f;
-      int k = 0;
-      plane_.is_edge(a, b, f, k);
-      if (f->vertex(Plane::ccw(k)) == a) f = f->neighbor(k);
-      if (f->info()) return false;
+    for (const auto &[u, v] : side_) {
+      const int32_t left = sphere_.find(corner_[u], corner_[v], side);
+      if (t[t[left].neighbor[side]].mark) return false;
     }
     return true;
   }
 
-  /// Collects the triangles: connected, by their number a disk with holes, and using every corner.
-  bool count() {
-    std::vector<int32_t> number(vertex_.size(), -1);
-    std::vector<Vec3> points;
-    std::size_t used = 0, faces = 0, inner_sides = 0;
-    for (auto f = plane_.finite_faces_begin(); f != plane_.finite_faces_end(); ++f) {
-      if (!f->info()) continue;
-      ++faces;
-      std::array<int32_t, 3> t;
-      for (int k = 0; k < 3; ++k) {
-        const int32_t v = f->vertex(k)->info();
-        if (number[v] < 0) {
-          ++used;
-          number[v] = std::size_t(v) < corners_ ? v : int32_t(corners_ + points.size());
-          if (std::size_t(v) >= corners_) points.push_back(out_.points[v - corners_]);
-        }
-        t[k] = number[v];
-        inner_sides += !f->is_constrained(k);
+  /// Tells the triangles which corner is theirs: several may be in one direction, where the patch
+  /// touches itself. Each has those between its two sides.
+  bool name_corners() {
+    std::vector<Triangle> &t = sphere_.triangles();
+    name_.assign(t.size(), {-1, -1, -1});
+    int side = 0;
+    for (const auto &[u, v] : side_) {
+      const int32_t a = corner_[u];
+      for (int32_t at = sphere_.find(a, corner_[v], side);;) {
+        const int i = SphereTriangulation::index(t[at], a), leave = i == 2 ? 0 : i + 1;
+        if (name_[at][i] >= 0) return false;
+        name_[at][i] = u;
+        if (t[at].fixed[leave]) break;
+        at = t[at].neighbor[leave];
       }
-      out_.triangles.push_back(t);
     }
-    for (std::size_t i = 0; i < corners_; ++i)
-      if (number[i] < 0) return false;
-    out_.points = std::move(points);
-    const long edges = long(corners_) + long(inner_sides) / 2;
-    return long(used) - edges + long(faces) == 2 - long(patch_.loops.size()) && is_connected();
+    return true;
+  }
+
+  bool collect() {
+    std::vector<Triangle> &t = sphere_.triangles();
+    const int32_t corners = int32_t(corner_.size());
+    std::vector<int32_t> number(sphere_.vertices(), -1);
+    std::vector<uint8_t> used(corner_.size(), 0), is_corner(sphere_.vertices(), 0);
+    for (int32_t v : corner_) is_corner[v] = 1;
+    std::size_t inner_sides = 0, seen = 0;
+    for (std::size_t i = 0; i < t.size(); ++i) {
+      if (!t[i].mark) continue;
+      std::array<int32_t, 3> made = name_[i];
+      for (int k = 0; k < 3; ++k) {
+        const int32_t v = t[i].vertex[k];
+        inner_sides += !t[i].fixed[k];
+        if (made[k] >= 0) {
+          seen += !used[made[k]];
+          used[made[k]] = 1;
+          continue;
+        }
+        if (is_corner[v]) return false;
+        if (number[v] < 0) {
+          number[v] = corners + int32_t(out_.points.size());
+          out_.points.push_back(sphere_.at(v));
+        }
+        made[k] = number[v];
+      }
+      out_.triangles.push_back(made);
+    }
+    const long vertices = long(seen + out_.points.size()),
+               edges = long(side_.size()) + long(inner_sides) / 2;
+    return seen == corner_.size() &&
+           vertices - edges + long(out_.triangles.size()) == 2 - long(patch_.loops.size()) &&
+           is_connected();
   }
 
   bool is_connected() {
-    auto seed = plane_.finite_faces_end();
-    for (auto f = plane_.finite_faces_begin(); f != plane_.finite_faces_end(); ++f)
-      if (f->info()) seed = f;
-    if (seed == plane_.finite_faces_end()) return false;
-    std::vector<Plane::Face_handle> stack(1, seed);
+    std::vector<Triangle> &t = sphere_.triangles();
+    std::vector<int32_t> stack;
+    for (std::size_t i = 0; i < t.size() && stack.empty(); ++i)
+      if (t[i].mark == 1) stack.push_back(int32_t(i));
+    if (stack.empty()) return false;
+    t[stack[0]].mark = 2;
     std::size_t reached = 0;
-    seed->info() = 2;
     while (!stack.empty()) {
-      const Plane::Face_handle f = stack.back();
+      const int32_t at = stack.back();
       stack.pop_back();
       ++reached;
       for (int k = 0; k < 3; ++k) {
-        const Plane::Face_handle g = f->neighbor(k);
-        if (f->is_constrained(k) || g->info() != 1) continue;
-        g->info() = 2;
-        stack.push_back(g);
+        const int32_t n = t[at].neighbor[k];
+        if (t[at].fixed[k] || t[n].mark != 1) continue;
+        t[n].mark = 2;
+        stack.push_back(n);
       }
     }
     return reached == out_.triangles.size();
   }
 
-  static Plane make(Blocks &blocks) {
-    const Blocks::Scope scope(blocks);
-    return Plane();
-  }
-
   const SpherePatch &patch_;
   PatchTriangles &out_;
-  Progress &progress_;
-  Blocks blocks_; // outlives the triangulation
-  Plane plane_ = make(blocks_);
-  std::vector<Plane::Vertex_handle> vertex_;
-  std::vector<std::pair<Plane::Vertex_handle, Plane::Vertex_handle>> left_;
-  std::size_t corners_ = 0;
+  SphereTriangulation sphere_;
+  std::vector<int32_t> corner_;              // the vertex of each
+  std::vector<std::array<int32_t, 2>> side_; // of loops: corners
+  std::vector<std::array<int32_t, 3>> name_; // per triangle and vertex: the corner
 };
 
 } // namespace
@@ -240,17 +228,28 @@ private:
 bool triangulate_patch(const SpherePatch &patch, const Geodesic &grid, PatchTriangles &out,
                        Progress &progress) {
   out = {};
-  const SpherePatch::Cap *widest = nullptr;
-  for (const SpherePatch::Cap &cap : patch.caps)
-    if (!widest || cap.cosine < widest->cosine) widest = &cap;
-  if (!widest) return false;
-  for (const Vec3 &p : grid.points)
-    if (is_free(patch, p, grid.spacing)) out.points.push_back(p);
-  try {
-    return Triangulating(patch, out, progress).run(widest->axis);
-  } catch (const Plane::Intersection_of_constraints_exception &) {
-    return false;
+  const Room room(patch, grid.spacing);
+  const std::array<Vec3, 6> start = octahedron(room, grid.spacing);
+  std::vector<Vec3> points;
+  for (const Vec3 &p : grid.points) {
+    bool is_free = room.is_free(p);
+    for (const Vec3 &q : start) is_free = is_free && !room.is_near(p, q);
+    if (is_free) points.push_back(p);
   }
+  return Triangulating(patch, start, out, progress).run(points);
+}
+
+double solid_angle(const SpherePatch &patch, const PatchTriangles &built) {
+  std::vector<Vec3> at;
+  for (const auto &loop : patch.loops) at.insert(at.end(), loop.begin(), loop.end());
+  at.insert(at.end(), built.points.begin(), built.points.end());
+  double sum = 0;
+  for (const auto &t : built.triangles) {
+    // Van Oosterom, Strackee, "The solid angle of a plane triangle" (1983).
+    const Vec3 &p = at[t[0]], &q = at[t[1]], &r = at[t[2]];
+    sum += 2 * std::atan2(dot(cross(p, q), r), 1 + dot(p, q) + dot(q, r) + dot(r, p));
+  }
+  return sum;
 }
 
 void ring_patch(const SpherePatch &patch, const Vec3 &middle, PatchTriangles &out) {

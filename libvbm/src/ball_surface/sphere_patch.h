@@ -30,10 +30,14 @@ struct PatchTriangles {
   std::vector<std::array<int32_t, 3>> triangles; // corners, then points
 };
 
-/// Constrained Delaunay triangles between the loops and the `grid`'s points within the patch. False
-/// if the loops' chords cross or touch, so that there is none: that is checked, not assumed.
+/// Constrained Delaunay triangles between the loops and the `grid`'s points within the patch, all
+/// facing outwards. Corners may be in one direction, where the patch touches itself. False if the
+/// loops' chords (great circles) cross: that is checked, not assumed.
 bool triangulate_patch(const SpherePatch &patch, const Geodesic &grid, PatchTriangles &out,
                        Progress &progress);
+
+/// Of all triangles, in steradians.
+double solid_angle(const SpherePatch &patch, const PatchTriangles &built);
 
 /// Always possible: a ring of points inside the loops, which are joined by cuts from the first
 /// one's first corner, and one in the middle of all. Points are `middle` and between it and the

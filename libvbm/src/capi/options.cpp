@@ -73,7 +73,7 @@ vbm_ball_surface_options ball_surface_defaults() {
   o.bulge = 0.15;
   o.bridge = 0;
   o.shrink = 0.9;
-  o.narrow = 0.4;
+  o.narrow = 0.37;
   return o;
 }
 

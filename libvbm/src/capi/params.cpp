@@ -133,7 +133,7 @@ constexpr vbm_param kParams[] = {
      VBM_BALL_STYLE_SINGULAR_POINTS, VBM_BALL_STYLE_SINGULAR_POINTS, VBM_BALL_STYLE_POWER_CRUST},
     {sizeof(vbm_param), "surface_from_balls", "bulge", "Bulge",
      "Add vertices on a ball where its polygon would lie farther from the sphere than this share "
-     "of the radius",
+     "of the radius; finer where most balls are much in sight, as in a molecule",
      "ratio", VBM_PARAM_FLOAT, 0, nullptr, nullptr, nullptr, 0.15, 0.001, 1},
     {sizeof(vbm_param), "surface_from_balls", "bridge", "Bridge Gaps",
      "Join balls that would meet if their radii were larger by this share; not for the skin",
@@ -144,7 +144,7 @@ constexpr vbm_param kParams[] = {
      "ratio", VBM_PARAM_FLOAT, 0, nullptr, nullptr, nullptr, 0.9, 0.05, 0.99},
     {sizeof(vbm_param), "surface_from_balls", "narrow", "Close Narrow",
      "Close what is narrower than this share of the distance between faces, as far as Bulge allows",
-     "ratio", VBM_PARAM_FLOAT, 0, nullptr, nullptr, nullptr, 0.4, 0, 1},
+     "ratio", VBM_PARAM_FLOAT, 0, nullptr, nullptr, nullptr, 0.37, 0, 1},
     {sizeof(vbm_param), "cluster", "sphericity", "Sphericity",
      "How much of a ball that replaces others one of them fills, by radius, at least", "ratio",
      VBM_PARAM_FLOAT, 0, nullptr, nullptr, nullptr, 0.95, 0.01, 1},
