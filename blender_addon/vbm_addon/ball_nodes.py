@@ -13,8 +13,10 @@ from .creation import undone_on_failure
 
 NAME = "VBM Balls"
 COLOR = "vbm_color"
-#: Changes when the group's inputs do, so that an older file's group is not taken for it.
-_EDITION = 1
+#: Within the group: which vertices are the balls' centres.
+_CENTER = "vbm_center"
+#: Changes when the group does, so that an older file's group is not taken for it.
+_EDITION = 2
 _EDITION_KEY = "vbm_edition"
 
 SCALE, DETAIL, LOW, HIGH = "Ball Scale", "Detail", "Smallest Radius", "Largest Radius"
@@ -115,10 +117,27 @@ def _build(tree):
 
     real = node("GeometryNodeRealizeInstances")
     link(spread.outputs["Instances"], real.inputs[0])
+    # From 4.0 on Solid mode shows the colours that the first of joined meshes has as its active ones: so the balls'
+    # own mesh comes first, and what it brought along goes again.
+    marked = node("GeometryNodeStoreNamedAttribute", data_type="BOOLEAN", domain="POINT")
+    marked.inputs["Name"].default_value = _CENTER
+    node_building.socket(marked.inputs, "Value").default_value = True
+    link(store.outputs["Geometry"], marked.inputs["Geometry"])
+    both = node("GeometryNodeJoinGeometry")
+    link(real.outputs[0], both.inputs[0])
+    link(marked.outputs["Geometry"], both.inputs[0])  # the last one linked is the first
+    center = node("GeometryNodeInputNamedAttribute", data_type="BOOLEAN")
+    center.inputs["Name"].default_value = _CENTER
+    without = node("GeometryNodeDeleteGeometry", domain="POINT")
+    link(both.outputs[0], without.inputs["Geometry"])
+    link(node_building.socket(center.outputs, "Attribute"), without.inputs["Selection"])
+    clean = node("GeometryNodeRemoveAttribute")
+    clean.inputs["Name"].default_value = _CENTER
+    link(without.outputs[0], clean.inputs["Geometry"])
     choose = node("GeometryNodeSwitch", input_type="GEOMETRY")
     link(given.outputs[SOLID], node_building.socket(choose.inputs, "Switch"))
     link(spread.outputs["Instances"], node_building.socket(choose.inputs, "False"))
-    link(real.outputs[0], node_building.socket(choose.inputs, "True"))
+    link(clean.outputs["Geometry"], node_building.socket(choose.inputs, "True"))
     result = node("NodeGroupOutput")
     link(node_building.socket(choose.outputs, "Output"), result.inputs["Geometry"])
 

@@ -51,6 +51,8 @@ def make(made, name, centers, radii, display, triangles=None, edges=()):
     else:
         creation.fill_mesh(mesh, centers, edges=edges)
     creation.add_attribute(mesh, "radius", "FLOAT", radii)
+    mesh.color_attributes.new(ball_nodes.COLOR, "FLOAT_COLOR", "POINT")  # filled by the nodes
+    compat.set_active_color(mesh, ball_nodes.COLOR)
     material, is_new = ball_nodes.material()
     if is_new:
         made.append((bpy.data.materials, material))
