@@ -38,7 +38,9 @@ constexpr double kApart = 0.2;
 /// Ratio to the spacing: smaller balls and facets are not looked at, so that a mesh that passes
 /// through itself, where no sampling helps, is not refined without end.
 constexpr double kSmallest = 0.1;
-/// Samples added in all rounds together: at most this many, and this many times the first samples.
+/// Samples added in all rounds together: at most this many, and this many times the mesh's
+/// vertices. Samples that the spacing added do not count: what they do not resolve, such as spikes
+/// without end, more will not either.
 constexpr std::size_t kFloor = 20000, kFactor = 2;
 class Refinement {
 public:
@@ -47,7 +49,7 @@ public:
       : samples_(samples), delaunay_(delaunay), cells_(round.cells), balls_(round.balls),
         labels_(round.labels), progress_(progress), before_(samples.position.size()),
         smallest_(kSmallest * samples.gap) {
-    limit_ = kFloor + (kFactor + 1) * (before_ - samples.refined);
+    limit_ = before_ - samples.refined + kFloor + kFactor * (before_ - samples.added);
     if (sample_limit) limit_ = std::min<std::size_t>(limit_, sample_limit);
   }
 

@@ -13,6 +13,14 @@
 namespace vbm::impl {
 namespace {
 
+/// No edge is cut into more parts for the sake of thin walls: along edges the spacing is followed
+/// step by step.
+constexpr double kMostParts = 20'000;
+
+/// The spacing on walls is raised by this until the samples are few enough, but to no more than so
+/// many times what they ask for: then the walls are not told apart at all.
+constexpr double kFloorStep = 1.1, kMostFloor = 20;
+
 struct Weighted {
   double value, weight;
 };
@@ -149,8 +157,9 @@ SpacingChoice::SpacingChoice(const SpacingInput &input, const vbm_build_options 
   double wanted = kTypicalSides * typical(input.mesh, samples.position, false, progress);
   const bool dense = wanted <= kEvenlyDense * across;
   if (is_smooth(input.mesh, input.face_normal, input.edge_length))
-    wanted =
-        std::min(wanted, kTypicalWidths * typical(input.mesh, samples.position, true, progress));
+    wanted = std::min(
+        wanted, std::max(kTypicalWidths * typical(input.mesh, samples.position, true, progress),
+                         across * kSpacingsAcross / kMostAcross));
   else
     wanted = std::min(wanted, across);
   if (!(wanted > 0)) return;
@@ -178,14 +187,21 @@ void SpacingChoice::look_for_walls(const SpacingInput &input, const vbm_build_op
   for (const SpacingSite &s : walls_.site) least_ = std::min(least_, s.spacing);
   for (const SpacingSite &s : walls_.edge_site) least_ = std::min(least_, s.spacing);
   if (least_ >= base_) return;
-  floor_ = least_;
   const double share = std::min(1.0, kThinShare * walls_.thin_area / walls_.area);
   most_ = std::min(count_ + std::max(kLeastThin, share * kMostThin),
                    double(sample_limit(options)) - double(samples.position.size()));
-  build();
+  double longest = 0;
+  for (double length : input.edge_length) longest = std::max(longest, length);
   const double even = estimate(SpacingField(base_), base_); // also where the mesh is dense already
-  while (count_ + estimate(spacing_.field, spacing_.top) - even > most_ && coarsen())
-    progress.tick_slow(0, 1);
+  floor_ = least_;
+  if (longest <= kMostParts * least_)
+    for (build(); floor_ <= kMostFloor * least_; progress.tick_slow(0, 1)) {
+      if (count_ + estimate(spacing_.field, spacing_.top) - even <= most_) return;
+      coarsen();
+    }
+  // Walls so thin are as good as none: what cannot be resolved is not worth samples.
+  floor_ = base_;
+  build();
 }
 
 /// The spacing for this floor, on the lattices that need the fewest samples.
@@ -212,11 +228,9 @@ double SpacingChoice::estimate(const SpacingField &field, double top) const {
   return sum;
 }
 
-bool SpacingChoice::coarsen() {
-  if (!(floor_ > 0 && floor_ < base_)) return false;
-  floor_ *= 1.1;
+void SpacingChoice::coarsen() {
+  floor_ = floor_ * kFloorStep <= kMostFloor * least_ ? floor_ * kFloorStep : base_;
   build();
-  return true;
 }
 
 void SpacingChoice::note(Samples &samples) const {

@@ -39,8 +39,8 @@ public:
   const Spacing &get() const { return spacing_; }
   /// How many samples the spacing may add, those of thin walls among them; no limit without walls.
   double most() const { return most_; }
-  /// Take a larger spacing for thin walls; false if they have none of their own any more.
-  bool coarsen();
+  /// Take a larger spacing for thin walls, or, where that would not resolve them, none of their own.
+  void coarsen();
   /// Say what the samples are too few for.
   void note(Samples &samples) const;
 

@@ -64,6 +64,9 @@ inline constexpr double kGentle = 0.766, kSmoothShare = 0.9;
 /// kTypicalSides of a square's halves, so that evenly dense meshes get no more.
 inline constexpr double kTypicalWidths = 3;
 
+/// ... but not less than the diagonal over this: a needle is a needle.
+inline constexpr double kMostAcross = 400;
+
 /// Ratio. A mesh whose typical triangle asks for a spacing (kTypicalSides) of at most this times
 /// what the whole shape does (kSpacingsAcross) is evenly dense, and not looked at for thin walls:
 /// scanned and remeshed shapes are at 0.5 to 2.3, those made of a few large faces above 5.
