@@ -156,12 +156,12 @@ SpacingChoice::SpacingChoice(const SpacingInput &input, const vbm_build_options 
   const double across = diagonal_of(samples.position) / kSpacingsAcross;
   double wanted = kTypicalSides * typical(input.mesh, samples.position, false, progress);
   const bool dense = wanted <= kEvenlyDense * across;
-  if (is_smooth(input.mesh, input.face_normal, input.edge_length))
-    wanted = std::min(
-        wanted, std::max(kTypicalWidths * typical(input.mesh, samples.position, true, progress),
-                         across * kSpacingsAcross / kMostAcross));
-  else
+  if (is_smooth(input.mesh, input.face_normal, input.edge_length)) {
+    const double strips = kTypicalWidths * typical(input.mesh, samples.position, true, progress);
+    if (strips * kMostAcross >= across * kSpacingsAcross) wanted = std::min(wanted, strips);
+  } else {
     wanted = std::min(wanted, across);
+  }
   if (!(wanted > 0)) return;
   wanted_ = base_ = wanted;
   for (;;) {

@@ -64,7 +64,7 @@ inline constexpr double kGentle = 0.766, kSmoothShare = 0.9;
 /// kTypicalSides of a square's halves, so that evenly dense meshes get no more.
 inline constexpr double kTypicalWidths = 3;
 
-/// ... but not less than the diagonal over this: a needle is a needle.
+/// ... unless that is less than the diagonal over this: needles are not cut for the sake of their width.
 inline constexpr double kMostAcross = 400;
 
 /// Ratio. A mesh whose typical triangle asks for a spacing (kTypicalSides) of at most this times
