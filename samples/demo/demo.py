@@ -18,10 +18,12 @@ import numpy as np
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 import picture  # noqa: E402
 
+# From 4.0 on Blender reads and writes PLY and STL itself.
+NEW_FILES = bpy.app.version >= (4, 0, 0)
 IMPORTERS = {
     ".obj": lambda path: bpy.ops.wm.obj_import(filepath=path),
-    ".ply": lambda path: bpy.ops.import_mesh.ply(filepath=path),
-    ".stl": lambda path: bpy.ops.import_mesh.stl(filepath=path),
+    ".ply": lambda path: (bpy.ops.wm.ply_import if NEW_FILES else bpy.ops.import_mesh.ply)(filepath=path),
+    ".stl": lambda path: (bpy.ops.wm.stl_import if NEW_FILES else bpy.ops.import_mesh.stl)(filepath=path),
 }
 
 
@@ -112,7 +114,10 @@ def main(model, out):
     compared = f", its volume {100 * new_volume / volume:.2f} % of the forgotten mesh's" if volume else ""
     say(f"{closed}, its Euler characteristic is {euler}{compared}")
     mesh_file = os.path.join(out, name + ".ply")
-    bpy.ops.export_mesh.ply(filepath=mesh_file, use_selection=True, use_ascii=False)
+    if NEW_FILES:
+        bpy.ops.wm.ply_export(filepath=mesh_file, export_selected_objects=True, ascii_format=False)
+    else:
+        bpy.ops.export_mesh.ply(filepath=mesh_file, use_selection=True, use_ascii=False)
 
     scene = bpy.context.scene
     picture.show_points(points, 0.0023 * max(points.dimensions))

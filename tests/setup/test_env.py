@@ -43,6 +43,8 @@ def test_blender():
 @pytest.mark.parametrize("program", ["meshlab", "meshlabserver"])
 def test_meshlab(program):
     needs("meshlab")
+    if not pathlib.Path("/usr/bin", program).exists():
+        pytest.skip(f"this MeshLab has no {program}")
     found = pathlib.Path(sourced(f"command -v {program}"))
     assert found.is_relative_to(BUILD)
     plugins = found.parents[1] / "lib/x86_64-linux-gnu/meshlab/plugins"
