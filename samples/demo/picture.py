@@ -13,9 +13,11 @@ CLAY = (0.72, 0.70, 0.66, 1.0)
 
 def show_points(obj, radius):
     """Give loose vertices, which a render leaves out, the look of small dots."""
+    from vbm_addon import compat  # once the add-on is there
+
     group = bpy.data.node_groups.new("Dots", "GeometryNodeTree")
-    group.inputs.new("NodeSocketGeometry", "Geometry")
-    group.outputs.new("NodeSocketGeometry", "Geometry")
+    compat.new_group_socket(group, "INPUT", "NodeSocketGeometry", "Geometry")
+    compat.new_group_socket(group, "OUTPUT", "NodeSocketGeometry", "Geometry")
     entry, leave = group.nodes.new("NodeGroupInput"), group.nodes.new("NodeGroupOutput")
     dots = group.nodes.new("GeometryNodeMeshToPoints")
     dots.inputs["Radius"].default_value = radius
@@ -27,7 +29,9 @@ def show_points(obj, radius):
 
 def set_input(modifier, name, value):
     """Set an input of a Geometry Nodes modifier by the name that its panel shows."""
-    modifier[modifier.node_group.inputs[name].identifier] = value
+    from vbm_addon import compat
+
+    compat.set_modifier_input(modifier, name, value)
 
 
 def world_box(obj):
