@@ -67,10 +67,13 @@ def test_error_falls_with_the_bulge():
     rng = np.random.default_rng(4)
     centers, radii = rng.random((40, 3)), rng.uniform(0.1, 0.3, 40)
     for style in STYLES:
-        gaps = [vbm.surface_from_balls(centers, radii, style=style, shrink=0.97, bulge=bulge)
-                .report.gap_mean for bulge in (0.3, 0.1, 0.03)]
-        # A crust whose topology was wrong has been made again with a smaller one.
-        assert gaps[0] > gaps[2] > 0 and (style == "power_crust" or gaps[0] > gaps[1] > gaps[2])
+        made = [vbm.surface_from_balls(centers, radii, style=style, shrink=0.97, bulge=bulge) for bulge in (0.3, 0.1, 0.03)]
+        gaps = [surface.report.gap_mean for surface in made]
+        if style != "power_crust":
+            assert gaps[0] > gaps[1] > gaps[2] > 0
+        else:  # which has been made again with a smaller one where its topology was wrong, and says what still is
+            right = [gap for gap, surface in zip(gaps, made) if not any("handles" in note for note in surface.notes)]
+            assert right and max(right) < 0.01
 
 
 def crust(centers, radii, **options):
