@@ -60,8 +60,7 @@ protected:
         }
         vbm_context_free(context);
         const long lost = failing_memory::blocks - before;
-        // Fewer may be left, where the C library let go of what it kept from before.
-        ASSERT_LE(lost, 0) << name << " loses " << lost << " blocks at " << k;
+        ASSERT_EQ(lost, 0) << name << " loses " << lost << " blocks at " << k;
       }
     EXPECT_GT(refused, requests / stride / 2) << name;
   }
