@@ -1,6 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Medial meshes: the axis of N balls and curve skeletons; topology by GUDHI."""
 
+import importlib.util
+import pathlib
+
 import numpy as np
 import pytest
 import vbm
@@ -221,6 +224,20 @@ def test_more_balls_are_nearer():
     assert means == sorted(means, reverse=True)
     report = reports[-1]
     assert report.error_max < 0.0074 and report.error_mean < 0.0012  # Q-MAT's, one-sided
+
+
+def test_a_few_samples_to_a_ball_are_enough():
+    """Balls that are all fitted at once stray where a few samples tell each where to be."""
+    path = pathlib.Path(__file__).parents[2] / "samples/medial_mesh/shapes.py"
+    spec = importlib.util.spec_from_file_location("medial_mesh_shapes", path)
+    shapes = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(shapes)
+    axis = shapes.creature(False).medial_axis()
+    few, many = axis.simplify(1000), axis.simplify(5000)
+    assert many.report.error_max <= 1.01 * few.report.error_max
+    assert many.report.error_mean <= 1.05 * few.report.error_mean
+    assert betti(many) == betti(axis) == [1, 0, 0]
+    assert_clean(many)
 
 
 # ---- Arguments, ends of the range, promises ---------------------------------------------------------

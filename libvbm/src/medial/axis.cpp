@@ -63,7 +63,8 @@ void prune_twigs(Axis &axis, const vbm_prune_options &options, Progress &progres
   // Twigs are bumps and corners, unless the sampling is too thin: then they are pieces of walls.
   const bool walls = axis.cells->thin.counts();
   for (std::size_t b = 0; b < twigs.size(); ++b)
-    if (twigs[b].cells > 0 && !(walls && twigs[b].thin) && significance(b) <= options.threshold) axis.state.twig[b] = 0;
+    if (twigs[b].cells > 0 && !(walls && twigs[b].thin) && significance(b) <= options.threshold)
+      axis.state.twig[b] = 0;
 }
 
 /// An axis with the same cells left, and the same parts.

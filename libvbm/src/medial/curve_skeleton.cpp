@@ -64,7 +64,7 @@ MedialMesh curve_skeleton(const Axis &axis, const vbm_curve_skeleton_options &op
   const Shape shape = shape_of(model, progress);
   fit_radii(complex, shape, progress);
   progress.stage("errors", 1);
-  MedialMesh out = medial_mesh(complex, model, shape, progress);
+  MedialMesh out = medial_mesh(complex, model, mesh_errors(complex, shape, model, progress));
   if (const uint64_t n = out.report.triangles)
     out.notes = std::to_string(n) + (n == 1 ? " triangle" : " triangles") +
                 " stayed: sheets without a border, as round a cavity, do not collapse to curves\n";

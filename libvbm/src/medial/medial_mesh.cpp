@@ -2,7 +2,6 @@
 #include "medial/medial_mesh.h"
 
 #include "core/disjoint_sets.h"
-#include "core/progress.h"
 #include "medial/mesh_errors.h"
 
 #include <algorithm>
@@ -24,8 +23,7 @@ void count_cells(const BallComplex &complex, vbm_medial_mesh_report &report) {
 
 } // namespace
 
-MedialMesh medial_mesh(const BallComplex &complex, const Model &model, const Shape &shape,
-                       Progress &progress) {
+MedialMesh medial_mesh(const BallComplex &complex, const Model &model, const MeshErrors &errors) {
   MedialMesh out;
   const Frame &frame = model.samples.frame;
   for (const Ball &ball : complex.ball) {
@@ -41,7 +39,6 @@ MedialMesh medial_mesh(const BallComplex &complex, const Model &model, const Sha
   report.struct_size = sizeof report;
   count_cells(complex, report);
   report.diagonal = model.report.diagonal;
-  const MeshErrors errors = mesh_errors(complex, shape, model, progress);
   const double unit = frame.length_to_unit(model.report.diagonal);
   const double scale = unit > 0 ? 1 / unit : 0;
   report.sample_error_max = errors.sample_max * scale;

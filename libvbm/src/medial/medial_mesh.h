@@ -13,7 +13,7 @@
 namespace vbm::impl {
 
 class Progress;
-struct Shape;
+struct MeshErrors;
 
 struct MedialMesh {
   // What the views show, in input units.
@@ -23,9 +23,8 @@ struct MedialMesh {
   vbm_medial_mesh_report report{};
 };
 
-/// A mesh of a complex in the unit frame of a model whose shape is known; counts and errors.
-MedialMesh medial_mesh(const BallComplex &complex, const Model &model, const Shape &shape,
-                       Progress &progress);
+/// A mesh of a complex in the unit frame of a model, and its counts.
+MedialMesh medial_mesh(const BallComplex &complex, const Model &model, const MeshErrors &errors);
 
 /// Throws Error(VBM_ERROR_ARGUMENT) for a count that the topology does not allow.
 MedialMesh simplify_axis(const Axis &axis, const vbm_simplify_options &options, Progress &progress);

@@ -5,6 +5,7 @@
 #include "medial/fit_balls.h"
 #include "medial/medial_mesh.h"
 #include "medial/mesh_errors.h"
+#include "medial/split_edges.h"
 
 #include <algorithm>
 #include <array>
@@ -85,6 +86,29 @@ std::vector<Ball> points_to_pass(const Axis &axis, const Shape &shape,
   return out;
 }
 
+/// A mesh of so many times fewer balls, split to the count asked for, is the other candidate, of
+/// counts from the least on: where few samples tell a ball where to be, balls that were fitted when
+/// they were fewer are better off.
+constexpr std::size_t kFewer = 4, kLeastFine = 64;
+
+/// The candidate of a complex that is contracted but not fitted yet.
+BallComplex refined(const BallComplex &contracted, const std::vector<BallQuadric> &planes,
+                    const std::vector<Ball> &points, std::size_t count, int iterations,
+                    Progress &progress) {
+  BallComplex complex = contracted;
+  std::vector<BallQuadric> quadric = planes;
+  contract(complex, quadric, count / kFewer, nullptr, progress);
+  fit_balls(complex, points, iterations, progress);
+  split_edges(complex, points, count, progress);
+  fit_balls(complex, points, iterations, progress);
+  return complex;
+}
+
+/// Largest and mean errors, both ways, weigh alike.
+double badness(const MeshErrors &e) {
+  return std::max(e.sample_max, e.envelope_max) * (e.sample_mean + e.envelope_mean);
+}
+
 } // namespace
 
 MedialMesh simplify_axis(const Axis &axis, const vbm_simplify_options &options,
@@ -104,10 +128,23 @@ MedialMesh simplify_axis(const Axis &axis, const vbm_simplify_options &options,
                 "option", {}, 0);
   progress.stage("surface", 0.5);
   const Shape shape = shape_of(model, progress);
-  progress.stage("fitting", 0.8);
-  fit_balls(complex, points_to_pass(axis, shape, number, progress), options.iterations, progress);
-  progress.stage("errors", 1);
-  return medial_mesh(complex, model, shape, progress);
+  progress.stage("fitting", 0.65);
+  const std::vector<Ball> points = points_to_pass(axis, shape, number, progress);
+  const BallComplex contracted = complex;
+  fit_balls(complex, points, options.iterations, progress);
+  MeshErrors errors = mesh_errors(complex, shape, model, progress);
+  if (options.iterations > 0 && options.count >= kLeastFine &&
+      complex.ball.size() == options.count) {
+    progress.stage("refining", 1);
+    BallComplex other =
+        refined(contracted, quadric, points, options.count, options.iterations, progress);
+    const MeshErrors others = mesh_errors(other, shape, model, progress);
+    if (other.ball.size() == options.count && badness(others) < badness(errors)) {
+      complex = std::move(other);
+      errors = others;
+    }
+  }
+  return medial_mesh(complex, model, errors);
 }
 
 } // namespace vbm::impl
