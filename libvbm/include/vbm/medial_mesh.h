@@ -35,9 +35,10 @@ VBM_API void vbm_simplify_options_init(vbm_simplify_options *options, size_t str
  * step joins two neighbouring balls under the link condition, which keeps the homotopy type. So no
  * face is there twice, every vertex is used, and a hollow tetrahedron only encloses a cavity of the
  * shape. Then balls are fitted to the samples: each to those the cells at it are nearest to. Of
- * counts of 64 and more there is a second candidate: a quarter as many balls, fitted, with balls
- * put in the middle of edges until there are `count`, fitted again. The one with the smaller
- * errors (the largest times the mean, both ways) is the result.
+ * counts of 64 and more, and with at most 16 samples to a ball, there is a second candidate: a
+ * quarter as many balls, fitted, with balls put in the middle of edges until there are `count`,
+ * fitted again. The one with the smaller errors (the largest times the mean, both ways) is the
+ * result.
  *   options  NULL for defaults
  * Errors: ARGUMENT (also for a count that the topology does not allow: says how few balls do),
  * MEMORY, CANCELLED.

@@ -166,14 +166,23 @@ void Envelope::test(int32_t primitive, const Vec3 &p, EnvelopeHit &best) const {
       best = {least, primitive, {1 - wb - wc, wb, wc}};
       return;
     }
+    // The distance is convex over the plane: the least of the triangle is on an edge that the least
+    // of the plane is beyond.
+    const bool beyond_ab = wc < 0, beyond_ca = wb < 0;
+    const bool beyond_bc = wb + wc > 1;
+    if (beyond_ab) test_edge(primitive, 0, 1, p, best);
+    if (beyond_bc) test_edge(primitive, 1, 2, p, best);
+    if (beyond_ca) test_edge(primitive, 2, 0, p, best);
+    if (beyond_ab || beyond_bc || beyond_ca) return;
   }
   for (int i = 0; i < 3; ++i) test_edge(primitive, i, (i + 1) % 3, p, best);
 }
 
-EnvelopeHit Envelope::nearest(const Vec3 &p) const {
+EnvelopeHit Envelope::nearest(const Vec3 &p, int32_t likely) const {
   EnvelopeHit best;
   best.distance = std::numeric_limits<double>::infinity();
   if (node_.empty()) return best;
+  if (likely >= 0) test(likely, p, best);
   struct Entry {
     int32_t node;
     double bound;

@@ -32,8 +32,9 @@ public:
   const std::vector<Primitive> &primitives() const { return primitive_; }
 
   /// The primitive whose signed distance is least. For a point outside the envelope that is its
-  /// distance; a point inside is at least that deep.
-  EnvelopeHit nearest(const Vec3 &p) const;
+  /// distance; a point inside is at least that deep. A primitive that is likely to be it, -1 for
+  /// none, makes it quicker, and is the one that is told if others are as near.
+  EnvelopeHit nearest(const Vec3 &p, int32_t likely = -1) const;
   /// Whether p is deeper than `depth` inside some primitive.
   bool covers(const Vec3 &p, double depth) const;
 

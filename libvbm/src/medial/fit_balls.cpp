@@ -47,6 +47,7 @@ struct Row {
   std::array<double, 3> share;
   Vec3 normal;
   double distance, weight;
+  int32_t primitive = -1;
 };
 
 class Fitter {
@@ -94,8 +95,9 @@ private:
     double sum = 0;
     for (std::size_t i = 0; i < used_.size(); ++i) {
       progress_.tick(0, 1);
-      const EnvelopeHit hit = envelope.nearest(used_[i].center);
       Row &row = row_[i];
+      const EnvelopeHit hit = envelope.nearest(used_[i].center, row.primitive);
+      row.primitive = hit.primitive;
       row.ball = envelope.primitives()[hit.primitive];
       row.share = hit.weight;
       row.normal = unit(used_[i].center - envelope.at(hit).center);

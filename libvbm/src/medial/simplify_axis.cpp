@@ -86,10 +86,10 @@ std::vector<Ball> points_to_pass(const Axis &axis, const Shape &shape,
   return out;
 }
 
-/// A mesh of so many times fewer balls, split to the count asked for, is the other candidate, of
-/// counts from the least on: where few samples tell a ball where to be, balls that were fitted when
-/// they were fewer are better off.
-constexpr std::size_t kFewer = 4, kLeastFine = 64;
+/// A mesh of so many times fewer balls, split to the count asked for, is the other candidate where
+/// there are no more points to a ball than the second: where few tell a ball where to be, balls
+/// that were fitted when they were fewer are better off. There are some of these.
+constexpr std::size_t kFewer = 4, kFewPoints = 16, kLeastFine = 64;
 
 /// The candidate of a complex that is contracted but not fitted yet.
 BallComplex refined(const BallComplex &contracted, const std::vector<BallQuadric> &planes,
@@ -134,7 +134,7 @@ MedialMesh simplify_axis(const Axis &axis, const vbm_simplify_options &options,
   fit_balls(complex, points, options.iterations, progress);
   MeshErrors errors = mesh_errors(complex, shape, model, progress);
   if (options.iterations > 0 && options.count >= kLeastFine &&
-      complex.ball.size() == options.count) {
+      points.size() <= kFewPoints * options.count && complex.ball.size() == options.count) {
     progress.stage("refining", 1);
     BallComplex other =
         refined(contracted, quadric, points, options.count, options.iterations, progress);
