@@ -86,7 +86,7 @@ class JobOperator:
             return self._fail(context, error, request)
         finally:
             wm.progress_end()
-        if self.options.is_repeat:
+        if self.options.is_repeat or self.options.is_repeat_last:
             options.keep_shared(self, context)
         return {"FINISHED"}
 
