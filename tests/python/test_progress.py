@@ -199,6 +199,6 @@ def test_ctrl_c(progress):
         # One build takes several times as long.
         assert time.perf_counter() - start < 1
         out, err = process.communicate(timeout=60)
-        assert out == "100\n" and err == "" and process.returncode == 0
+        assert (out, err, process.returncode) == ("100\n", "", 0)
     finally:
         process.kill()
