@@ -22,13 +22,15 @@ def read_positions(mesh):
 
 
 def write_faces(mesh, starts, sizes, corners):
-    """Fill a mesh that has vertices and no faces yet with faces."""
+    """Fill a mesh that has vertices and no faces yet with faces that are shaded flat."""
     mesh.loops.add(len(corners))
     mesh.loops.foreach_set("vertex_index", corners)
     mesh.polygons.add(len(sizes))
     mesh.polygons.foreach_set("loop_start", starts)
     if VERSION < (3, 6, 0):  # later it follows from the starts and cannot be set
         mesh.polygons.foreach_set("loop_total", sizes)
+    if VERSION >= (4, 1, 0):  # until then new faces were flat
+        mesh.polygons.foreach_set("use_smooth", np.zeros(len(sizes), dtype=bool))
 
 
 def set_active_color(mesh, name):

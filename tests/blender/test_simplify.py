@@ -42,6 +42,8 @@ def test_axis_is_the_librarys():
     corners = np.array([list(face.vertices) for face in mesh.polygons])
     np.testing.assert_array_equal(corners, expected.triangles)
     np.testing.assert_array_equal(values(mesh, "part"), expected.triangle_part)
+    # The faces of a sheet point either way, so that smooth ones would be blotched.
+    assert not any(face.use_smooth for face in mesh.polygons)
     level = np.array([part.level for part in expected.parts])
     np.testing.assert_array_equal(values(mesh, "level"), level[expected.triangle_part])
     # A box has twelve parts at its border and one between them.
