@@ -9,16 +9,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace vbm::impl {
 namespace {
 
 constexpr int32_t kLeaf = 8;   // balls in a leaf: about as much work as one more level of boxes
 constexpr int kMaxStack = 128; // two nodes a level, and a level halves the balls
+constexpr int32_t kMany =
+    10000; // balls from which on coordinates are copied before they are compared
 
-double coordinate(const Ball &ball, int axis) {
-  return axis < 3 ? ball.center[axis] : ball.radius;
-}
+double coordinate(const Ball &ball, int axis) { return axis < 3 ? ball.center[axis] : ball.radius; }
 
 } // namespace
 
@@ -33,13 +34,13 @@ BallTree::BallTree(const std::vector<Ball> &balls, Progress &progress)
       progress.tick_slow(n, std::size_t(count) / 4 + 1); // large ones
     else
       progress.tick(n, std::size_t(count) / 4 + 1);
-    split(int32_t(n));
+    split(int32_t(n), progress);
   }
   for (int32_t i = 0; i < count; ++i) place_[order_[i]] = i;
   for (int32_t i = 0; i < count; ++i) balls_[i] = balls[order_[i]];
 }
 
-void BallTree::split(int32_t index) {
+void BallTree::split(int32_t index, Progress &progress) {
   Node node = nodes_[index];
   double low[4], high[4];
   for (int axis = 0; axis < 4; ++axis) {
@@ -56,17 +57,33 @@ void BallTree::split(int32_t index) {
     for (int axis = 1; axis < 4; ++axis)
       if (high[axis] - low[axis] > high[widest] - low[widest]) widest = axis;
     const int32_t middle = node.begin + (node.end - node.begin) / 2;
-    std::nth_element(order_.begin() + node.begin, order_.begin() + middle,
-                     order_.begin() + node.end, [&](int32_t a, int32_t b) {
-                       const double ca = coordinate(balls_[a], widest),
-                                    cb = coordinate(balls_[b], widest);
-                       return ca != cb ? ca < cb : a < b;
-                     });
+    select(node.begin, middle, node.end, widest, progress);
     node.left = int32_t(nodes_.size());
     nodes_.push_back({{}, {}, 0, 0, node.begin, middle, 0, middle - node.begin});
     nodes_.push_back({{}, {}, 0, 0, middle, node.end, 0, node.end - middle});
   }
   nodes_[index] = node;
+}
+
+/// nth_element by a coordinate, then by number.
+void BallTree::select(int32_t begin, int32_t middle, int32_t end, int axis, Progress &progress) {
+  if (end - begin < kMany) {
+    std::nth_element(order_.begin() + begin, order_.begin() + middle, order_.begin() + end,
+                     [&](int32_t a, int32_t b) {
+                       const double ca = coordinate(balls_[a], axis),
+                                    cb = coordinate(balls_[b], axis);
+                       return ca != cb ? ca < cb : a < b;
+                     });
+    return;
+  }
+  progress.tick_slow(0, 1);
+  std::vector<std::pair<double, int32_t>> key;
+  key.reserve(std::size_t(end - begin));
+  for (int32_t i = begin; i < end; ++i)
+    key.emplace_back(coordinate(balls_[order_[i]], axis), order_[i]);
+  progress.tick_slow(0, 1);
+  std::nth_element(key.begin(), key.begin() + (middle - begin), key.end());
+  for (int32_t i = begin; i < end; ++i) order_[i] = key[i - begin].second;
 }
 
 void BallTree::remove(int32_t ball) {

@@ -39,7 +39,8 @@ private:
     int32_t alive;            // balls that have not left
   };
 
-  void split(int32_t node);
+  void split(int32_t node, Progress &progress);
+  void select(int32_t begin, int32_t middle, int32_t end, int axis, Progress &progress);
   double nearest(const Node &node, const Vec3 &point) const;
 
   std::vector<Node> nodes_;

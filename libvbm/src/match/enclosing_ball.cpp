@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 
 namespace vbm::impl {
 namespace {
@@ -21,8 +22,10 @@ constexpr double kStickingOut = 1e-12;
 /// Rounds after which a solver that runs in circles for rounding is left: far more than any need.
 constexpr int kMaxRounds = 64;
 
-/// Members whose search takes so long that the clock is looked at each time.
+/// Members whose search takes so long that the clock is looked at each time; and so many that it is
+/// looked at between.
 constexpr std::size_t kMany = 10000;
+constexpr std::ptrdiff_t kPiece = 1 << 16;
 
 struct Traits {
   struct Sphere {
@@ -74,9 +77,13 @@ double EnclosingBall::farthest(double limit) const {
 const int32_t *EnclosingBall::outmost(const int32_t *first, const int32_t *last,
                                       const Vec3 &center, double &reach) const {
   const int32_t *found = nullptr;
-  for (const int32_t *i = first; i != last; ++i) {
-    const double r = impl::reach(balls_[*i], center);
-    if (r > reach) reach = r, found = i;
+  while (first != last) {
+    const int32_t *stop = first + std::min(last - first, kPiece);
+    for (; first != stop; ++first) {
+      const double r = impl::reach(balls_[*first], center);
+      if (r > reach) reach = r, found = first;
+    }
+    if (first != last) progress_.tick_slow(0, 1);
   }
   return found;
 }
