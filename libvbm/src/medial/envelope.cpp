@@ -36,7 +36,31 @@ Envelope::Envelope(const BallComplex &complex, Progress &progress) : complex_(co
   }
   for (std::size_t v = 0; v < used.size(); ++v)
     if (!used[v]) add({int32_t(v), -1, -1});
+  share_edges();
   build(progress);
+}
+
+/// Where the least of several triangles is on an edge they share, it is the least of each of them:
+/// one is enough to find it.
+void Envelope::share_edges() {
+  struct Edge {
+    int32_t low, high, triangle;
+    int place;
+    bool operator<(const Edge &o) const {
+      return low != o.low ? low < o.low : high != o.high ? high < o.high : triangle < o.triangle;
+    }
+  };
+  std::vector<Edge> edges;
+  edges.reserve(3 * slab_.size());
+  for (std::size_t t = 0; t < slab_.size(); ++t)
+    for (int i = 0; i < 3; ++i) {
+      const auto [low, high] = std::minmax(primitive_[t][i], primitive_[t][(i + 1) % 3]);
+      edges.push_back({low, high, int32_t(t), i});
+    }
+  std::sort(edges.begin(), edges.end());
+  for (std::size_t k = 0; k < edges.size(); ++k)
+    if (k == 0 || edges[k].low != edges[k - 1].low || edges[k].high != edges[k - 1].high)
+      slab_[edges[k].triangle].edges |= uint8_t(1 << edges[k].place);
 }
 
 void Envelope::add(const Primitive &primitive) {
@@ -128,9 +152,12 @@ void Envelope::test_edge(int32_t primitive, int i, int j, const Vec3 &p, Envelop
              &b = complex_.ball[primitive_[primitive][j]];
   const Vec3 u = b.center - a.center, q = p - a.center;
   const double u2 = dot(u, u), dr = b.radius - a.radius;
+  // Nearer than the axis's whole line less the larger radius it is not.
+  const double most = best.distance + std::max(a.radius, b.radius), along_u = dot(q, u);
+  if (most <= 0 || dot(q, q) * u2 - along_u * along_u > most * most * u2) return;
   double t = dr > 0 ? 1 : 0; // one ball holds the other
   if (u2 > dr * dr) {
-    const double along = dot(q, u) / u2;
+    const double along = along_u / u2;
     const double aside = std::sqrt(std::max(0.0, dot(q, q) - along * along * u2));
     t = std::clamp(along + aside * dr / std::sqrt((u2 - dr * dr) * u2), 0.0, 1.0);
   }
@@ -170,12 +197,15 @@ void Envelope::test(int32_t primitive, const Vec3 &p, EnvelopeHit &best) const {
     // of the plane is beyond.
     const bool beyond_ab = wc < 0, beyond_ca = wb < 0;
     const bool beyond_bc = wb + wc > 1;
-    if (beyond_ab) test_edge(primitive, 0, 1, p, best);
-    if (beyond_bc) test_edge(primitive, 1, 2, p, best);
-    if (beyond_ca) test_edge(primitive, 2, 0, p, best);
-    if (beyond_ab || beyond_bc || beyond_ca) return;
+    if (beyond_ab || beyond_bc || beyond_ca) {
+      if (beyond_ab && (slab.edges & 1)) test_edge(primitive, 0, 1, p, best);
+      if (beyond_bc && (slab.edges & 2)) test_edge(primitive, 1, 2, p, best);
+      if (beyond_ca && (slab.edges & 4)) test_edge(primitive, 2, 0, p, best);
+      return;
+    }
   }
-  for (int i = 0; i < 3; ++i) test_edge(primitive, i, (i + 1) % 3, p, best);
+  for (int i = 0; i < 3; ++i)
+    if (slab.edges >> i & 1) test_edge(primitive, i, (i + 1) % 3, p, best);
 }
 
 EnvelopeHit Envelope::nearest(const Vec3 &p, int32_t likely) const {

@@ -46,6 +46,7 @@ private:
     Vec3 normal, gradient; // of the triangle; of the radius over it
     Vec3 to_b, to_c;       // dual vectors: weights of the second and third ball
     double slope = 2;      // sqrt(1 - |gradient|^2); beyond 1: no tangent planes, the edges tell
+    uint8_t edges = 0;     // bit i: the edge from ball i to the next is tested with this triangle
   };
   struct Node {
     Vec3 low, high;            // of centres
@@ -54,6 +55,7 @@ private:
   };
 
   void add(const Primitive &primitive);
+  void share_edges();
   void build(Progress &progress);
   double bound(const Node &node, const Vec3 &p) const;
   void test(int32_t primitive, const Vec3 &p, EnvelopeHit &best) const;
