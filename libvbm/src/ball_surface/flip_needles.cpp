@@ -51,9 +51,10 @@ private:
   /// Squared sine of the smallest angle, 0 of a triangle without an area.
   static double thinness(const Vec3 &a, const Vec3 &b, const Vec3 &c) {
     const Vec3 n = cross(b - a, c - a);
-    double e[3] = {dot(b - a, b - a), dot(c - b, c - b), dot(a - c, a - c)};
-    std::sort(e, e + 3);
-    const double product = e[1] * e[2];
+    const double p = dot(b - a, b - a), q = dot(c - b, c - b), r = dot(a - c, a - c);
+    const double more = std::max(p, q), less = std::min(p, q);
+    const double product =
+        std::max(more, r) * std::max(less, std::min(more, r)); // of the longer two
     return product > 0 ? dot(n, n) / product : 0;
   }
 
@@ -61,9 +62,11 @@ private:
   bool is_bad(int32_t i) const {
     const Vec3 &a = position_[t_[i][0]], &b = position_[t_[i][1]], &c = position_[t_[i][2]];
     if (thinness(a, b, c) < kNeedle || faces_ball(i, t_[i][0], t_[i][1], t_[i][2])) return true;
-    const double far = kDeep * balls_[ball_[i]].radius;
-    return depth((a + b) * 0.5, i, i) > far || depth((b + c) * 0.5, i, i) > far ||
-           depth((c + a) * 0.5, i, i) > far;
+    const Ball &ball = balls_[ball_[i]];
+    const auto is_deep = [&](const Vec3 &x) {
+      return std::fabs(ball.radius - distance(x, ball.center)) > kDeep * ball.radius;
+    };
+    return is_deep((a + b) * 0.5) || is_deep((b + c) * 0.5) || is_deep((c + a) * 0.5);
   }
 
   int32_t from(int32_t h) const { return t_[h / 3][h % 3]; }

@@ -48,6 +48,7 @@ private:
   void find_triangles() {
     triangle_.assign(4 * shape_.cells.size(), -1);
     shape_.facet_in.assign(shape_.cells.size(), 0);
+    shape_.triangles.reserve(shape_.cells.size()); // rarely more
     for (std::size_t c = 0; c < shape_.cells.size(); ++c) {
       progress_.tick(shape_.cells.size() + c, 4 * shape_.cells.size());
       const Cell &cell = shape_.cells[c];
@@ -73,14 +74,15 @@ private:
 
   bool triangle_alone(const std::array<int32_t, 3> &t, int32_t p, int32_t q) const {
     const Site &a = site(t[0]), &b = site(t[1]), &c = site(t[2]);
-    if (!triangle_meets(a, b, c)) return false;
-    return !(shape_.real(p) && hides_triangle(a, b, c, site(p))) &&
-           !(shape_.real(q) && hides_triangle(a, b, c, site(q)));
+    return triangle_alone_meets(a, b, c, shape_.real(p) ? &site(p) : nullptr,
+                                shape_.real(q) ? &site(q) : nullptr);
   }
 
   /// Every edge once: a bit for each of a tetrahedron's six says that it is done.
   void find_edges() {
     std::vector<uint8_t> done(shape_.cells.size(), 0);
+    shape_.turns.reserve(3 * shape_.triangles.size());
+    shape_.edges.reserve(shape_.cells.size());
     for (std::size_t c = 0; c < shape_.cells.size(); ++c) {
       progress_.tick(2 * shape_.cells.size() + c, 4 * shape_.cells.size());
       const Cell &cell = shape_.cells[c];

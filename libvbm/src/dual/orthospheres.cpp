@@ -5,6 +5,7 @@
 #include "core/tolerances.h"
 
 #include <cmath>
+#include <initializer_list>
 
 namespace vbm::impl {
 namespace {
@@ -173,6 +174,19 @@ bool hides_vertex(const Site &a, const Site &p) {
 bool hides_edge(const Site &a, const Site &b, const Site &p) { return hides<EdgeParts>(p, a, b); }
 bool hides_triangle(const Site &a, const Site &b, const Site &c, const Site &p) {
   return hides<TriangleParts>(p, a, b, c);
+}
+
+bool triangle_alone_meets(const Site &a, const Site &b, const Site &c, const Site *p,
+                          const Site *q) {
+  const TriangleParts<double> parts(a, b, c);
+  const Value meets = parts.radius(a);
+  if (meets.sure() ? meets.value >= 0 : !triangle_meets(a, b, c)) return false;
+  for (const Site *other : {p, q}) {
+    if (!other) continue;
+    const Value hides = parts.hides(a, *other);
+    if (hides.sure() ? hides.value < 0 : hides_triangle(a, b, c, *other)) return false;
+  }
+  return true;
 }
 
 Vec3 edge_center(const Site &a, const Site &b) {

@@ -25,6 +25,10 @@ bool hides_vertex(const Site &a, const Site &p);
 bool hides_edge(const Site &a, const Site &b, const Site &p);
 bool hides_triangle(const Site &a, const Site &b, const Site &c, const Site &p);
 
+/// Whether a triangle's balls meet and neither p nor q, null for none, hides it.
+bool triangle_alone_meets(const Site &a, const Site &b, const Site &c, const Site *p,
+                          const Site *q);
+
 /// Those points, relative to ball a's centre. Pairs of doubles are used where doubles may err by
 /// more than kOrthocenterError; of flat simplices no digit may be left.
 Vec3 edge_center(const Site &a, const Site &b);
