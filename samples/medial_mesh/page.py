@@ -8,8 +8,9 @@ TEXT = """# The axis of N balls, and curve skeletons
 
 Made by [medial_mesh.py](medial_mesh.py). `MedialAxis.simplify(count)` joins neighbouring balls until so many are
 left, and fits these to the samples (where that leaves few samples to a ball it also fits a quarter as many, splits edges
-until the count is there, fits again, and keeps the better of the two); `MedialAxis.curve_skeleton()` burns sheets down to curves. Neither can change the
-topology: two balls are joined only where that keeps it (the link condition), a split edge changes nothing, and sheets burn by elementary collapses.
+until the count is there, fits again, and keeps the better of the two); `MedialAxis.curve_skeleton()` burns sheets down
+to curves. Neither can change the topology: two balls are joined only where that keeps it (the link condition), a split
+edge changes nothing, and sheets burn by elementary collapses.
 
 ![A bunny as 5,000, 1,000, 100 and 10 balls: its axis, and what the balls sweep]({folder}simplified_axis.png)
 

@@ -16,8 +16,9 @@ namespace {
 
 constexpr int32_t kLeaf = 8;   // balls in a leaf: about as much work as one more level of boxes
 constexpr int kMaxStack = 128; // two nodes a level, and a level halves the balls
-constexpr int32_t kMany =
-    10000; // balls from which on coordinates are copied before they are compared
+
+/// Balls from which on coordinates are copied before they are compared.
+constexpr int32_t kMany = 10000;
 
 double coordinate(const Ball &ball, int axis) { return axis < 3 ? ball.center[axis] : ball.radius; }
 
