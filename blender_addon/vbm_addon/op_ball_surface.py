@@ -43,11 +43,16 @@ drawn as spheres"""
             place(context, obj, new, balls, self.source_display)
         report = surface.report
         creation.describe(new, report, surface.notes)
+        details = [f"Area {report.area:.4g}, volume {report.volume:.4g}"]
+        if self.errors:
+            details += [f"Surface to union: at most {report.surface_error_max:.3g}, "
+                        f"on average {report.surface_error_mean:.3g}",
+                        f"Union to surface: at most {report.union_error_max:.3g}, "
+                        f"on average {report.union_error_mean:.3g}"]
         pieces = "" if report.components == 1 else f", {report.components:,} pieces"
         return session.Outcome(
             f"{new.name}: {len(mesh.polygons):,} faces for {len(balls.radii):,} balls, genus "
-            f"{report.genus}{pieces}", [f"Area {report.area:.4g}, volume {report.volume:.4g}"],
-            list(surface.notes) + balls.notes)
+            f"{report.genus}{pieces}", details, list(surface.notes) + balls.notes)
 
     def draw(self, context):
         layout = self.layout

@@ -67,7 +67,7 @@ struct Field {
 const Field kFields[] = {
     {"style", &vbm_ball_surface_options::style},   {"bulge", &vbm_ball_surface_options::bulge},
     {"bridge", &vbm_ball_surface_options::bridge}, {"shrink", &vbm_ball_surface_options::shrink},
-    {"narrow", &vbm_ball_surface_options::narrow},
+    {"narrow", &vbm_ball_surface_options::narrow}, {"errors", &vbm_ball_surface_options::errors},
 };
 
 BallSurfaceOptions surface_options(const Arguments &given) {

@@ -97,7 +97,7 @@ struct Setter {
   const vbm_param &param;
   py::handle value;
   void operator()(int32_t vbm_build_options::*member) const {
-    options.*member = param.type == VBM_PARAM_ENUM ? to_enum(param, value) : to_bool(param, value);
+    options.*member = item_for(param, value);
   }
   void operator()(uint64_t vbm_build_options::*member) const {
     options.*member = to_count(param, value);
@@ -116,7 +116,9 @@ int32_t enum_value(const char *operation, const char *parameter, py::handle name
   throw py::value_error(std::string("the library has no parameter ") + parameter);
 }
 double number_for(const vbm_param &param, py::handle value) { return to_double(param, value); }
-int32_t item_for(const vbm_param &param, py::handle value) { return to_enum(param, value); }
+int32_t item_for(const vbm_param &param, py::handle value) {
+  return param.type == VBM_PARAM_ENUM ? to_enum(param, value) : to_bool(param, value);
+}
 
 const vbm_param &table_row(const char *operation, const char *name) {
   static const std::vector<vbm_param> rows = parameters();

@@ -71,6 +71,12 @@ const Field<S> kSurfaceFields[] = {
     VBM_FIELD(S, added_points, "From balls: vertices that are no singular points."),
     VBM_FIELD(S, gap_max, "From balls: largest distance of a triangle's middle from its sphere."),
     VBM_FIELD(S, gap_mean, "The same on average, by area."),
+    VBM_FIELD(S, surface_error_max,
+              "From balls, with errors=True: largest distance from the surface to the boundary\nof the "
+              "balls' union."),
+    VBM_FIELD(S, surface_error_mean, "The same on average, by area."),
+    VBM_FIELD(S, union_error_max, "Largest distance from the union's boundary to the surface."),
+    VBM_FIELD(S, union_error_mean, "The same on average, at points on the boundary."),
 };
 
 using A = vbm_axis_report;

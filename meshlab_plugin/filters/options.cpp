@@ -71,6 +71,8 @@ bool set_option(vbm_ball_surface_options &options, const std::string &name, doub
     options.shrink = value;
   else if (name == "narrow")
     options.narrow = value;
+  else if (name == "errors")
+    options.errors = whole(value);
   else
     return false;
   return true;

@@ -66,6 +66,12 @@ void describe(const vbm::Surface &surface, std::vector<std::string> &log) {
                 count(report.components, "component", "components") + ", genus " +
                 std::to_string(report.genus) + ", area " + number(report.area) + ", volume " +
                 number(report.volume) + ".");
+  if (report.surface_error_max > 0 || report.union_error_max > 0)
+    log.push_back("From the surface to the balls' union: at most " +
+                  number(report.surface_error_max) + ", on average " +
+                  number(report.surface_error_mean) + "; from the union to the surface: at most " +
+                  number(report.union_error_max) + ", on average " +
+                  number(report.union_error_mean) + ".");
   add_notes(surface.notes(), log);
 }
 

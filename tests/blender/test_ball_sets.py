@@ -89,7 +89,17 @@ def test_surface_of_a_ring_of_empties():
     select(*[empty((3 * np.cos(t), 3 * np.sin(t), 0), 1.0) for t in turn])
     assert bpy.ops.vbm.ball_surface() == {"FINISHED"}
     assert topology(active().data) == (1, 1)
-    assert active()["vbm_report"]["genus"] == 1
+    report = active()["vbm_report"]
+    assert report["genus"] == 1 and report["union_error_max"] == 0
+
+
+def test_errors_are_told():
+    select(empty((0, 0, 0), 1.0), empty((1.2, 0, 0), 1.0))
+    bpy.ops.vbm.ball_surface(errors=True)
+    report = active()["vbm_report"]
+    assert 0 < report["union_error_mean"] < report["union_error_max"] < 0.3
+    assert 0 < report["surface_error_mean"] < report["surface_error_max"] < 0.3
+    assert any("Union to surface: at most" in line for line in session.last.lines)
 
 
 def test_surface_of_a_ball_model():

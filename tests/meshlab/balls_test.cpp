@@ -51,8 +51,15 @@ TEST(BallSurface, HasTheTopologyOfTheUnion) {
   EXPECT_EQ(document.mm()->label(), "balls surface");
   EXPECT_TRUE(result.logged("Took 12 balls."));
   EXPECT_TRUE(result.logged("genus 1"));
+  EXPECT_FALSE(result.logged("to the surface: at most"));
   expect_closed(*document.mm(), 1);
   EXPECT_FALSE(source->isVisible());
+
+  document.setCurrentMesh(source->id());
+  result = host::apply(host::kBallSurface, document, {{"errors", 1}});
+  ASSERT_TRUE(result.ok) << result.error;
+  EXPECT_TRUE(result.logged("to the balls' union: at most 0."));
+  EXPECT_TRUE(result.logged("to the surface: at most 0."));
 
   // Far apart: each ball a surface of its own.
   balls(document, {{0, 0, 0, 1}, {5, 0, 0, 2}, {0, 9, 0, 0.5}});

@@ -118,3 +118,20 @@ def assert_closed_manifold(vertex_count, triangles):
 def signed_volume(vertices, triangles):
     a, b, c = (vertices[triangles[:, i]] for i in range(3))
     return np.einsum("ij,ij->i", a, np.cross(b, c)).sum() / 6
+
+
+def to_triangles(points, corners):
+    """Distance to the nearest triangle: to its plane where the foot is in it, else to its sides."""
+    best = np.full(len(points), np.inf)
+    for a, b, c in corners:
+        n = np.cross(b - a, c - a)
+        if not n.any():
+            continue
+        n /= np.linalg.norm(n)
+        inside = np.ones(len(points), bool)
+        for p, q in ((a, b), (b, c), (c, a)):
+            t = np.clip((points - p) @ (q - p) / ((q - p) @ (q - p)), 0, 1)
+            best = np.minimum(best, np.linalg.norm(points - p - t[:, None] * (q - p), axis=1))
+            inside &= (points - p) @ np.cross(n, q - p) >= 0
+        best[inside] = np.minimum(best[inside], abs((points[inside] - a) @ n))
+    return best

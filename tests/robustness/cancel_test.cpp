@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Progress, and cancelling at every report of it.
+#include "child.h"
 #include "outcome.h"
 #include "snapshot.h"
 
@@ -138,23 +139,25 @@ protected:
   void SetUp() override { ASSERT_EQ(vbm_context_create(&context), VBM_OK); }
   void TearDown() override { vbm_context_free(context); }
 
-  /// Cancel at the k-th report, for every k (or every `stride`-th), then run whole again.
-  void at_every_report(Job job, int stride) {
+  /// Cancel at the k-th report, for every k, then run whole again. Reports come by the clock: a
+  /// slow machine makes many, and takes long for each, so of many only some are tried.
+  void at_every_report(Job job) {
     Watch watch(context);
     int calls = 0;
     const std::string whole = job.run(context, watch, &calls);
     ASSERT_NE(whole, "");
     ASSERT_GT(calls, 10) << job.name;
-    for (int k = 1; k <= calls; k += stride) {
+    const int stride = 1 + calls / (sanitized() ? 8 : 25);
+    for (int k = 1, tries = 0; k <= calls; k += stride, ++tries) {
       watch.stop_at = k;
       int reached = 0;
       const std::string result = job.run(context, watch, &reached);
-      // Reports come by the clock: a faster run may have fewer.
+      // A faster run may have fewer.
       if (reached >= k) {
         EXPECT_EQ(result, "") << job.name << " went on after report " << k;
       }
       watch.stop_at = 0;
-      if (k % 5 == 1) {
+      if (tries % 5 == 0) {
         EXPECT_TRUE(job.run(context, watch) == whole) << job.name << ": another result after " << k;
       }
     }
@@ -166,9 +169,9 @@ protected:
   vbm_context *context = nullptr;
 };
 
-TEST_F(Cancel, Points) { at_every_report({"points", points_of(torus)}, 1); }
+TEST_F(Cancel, Points) { at_every_report({"points", points_of(torus)}); }
 
-TEST_F(Cancel, Mesh) { at_every_report({"mesh", mesh_of(box)}, 1); }
+TEST_F(Cancel, Mesh) { at_every_report({"mesh", mesh_of(box)}); }
 
 TEST_F(Cancel, Volume) {
   std::vector<float> values;
@@ -178,12 +181,10 @@ TEST_F(Cancel, Volume) {
         values.push_back(
             float(7.3 - shapes::distance({double(i), double(j), double(k)}, {9.6, 9.4, 9.5})));
   const double voxel[3] = {1, 1, 1};
-  at_every_report({"volume",
-                   [&](vbm_context *c, const vbm_build_options *o, vbm_model **out) {
+  at_every_report({"volume", [&](vbm_context *c, const vbm_build_options *o, vbm_model **out) {
                      return vbm_build_volume(c, values.data(), VBM_SCALAR_FLOAT, 20, 20, 20, voxel,
                                              nullptr, 0, o, out);
-                   }},
-                  1);
+                   }});
 }
 
 TEST_F(Cancel, RangeScan) {
@@ -201,16 +202,15 @@ TEST_F(Cancel, RangeScan) {
     }
     scanner.push_back(int32_t(best));
   }
-  at_every_report({"range scan",
-                   [&](vbm_context *c, const vbm_build_options *o, vbm_model **out) {
+  at_every_report({"range scan", [&](vbm_context *c, const vbm_build_options *o, vbm_model **out) {
                      return vbm_build_range_scan(c, sphere.points.data(), sphere.size(),
                                                  scanners.data(), 6, scanner.data(), o, out);
-                   }},
-                  1);
+                   }});
 }
 
 TEST_F(Cancel, EveryStageOfABigJob) {
-  const shapes::Shape big = shapes::torus(70, 30, 2, .6, .3);
+  const shapes::Shape big =
+      sanitized() ? shapes::torus(40, 18, 2, .6, .3) : shapes::torus(70, 30, 2, .6, .3);
   for (Job job : {Job{"big points", points_of(big)}, Job{"big mesh", mesh_of(big)}}) {
     Watch watch(context);
     int calls = 0;

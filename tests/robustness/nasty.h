@@ -49,13 +49,14 @@ struct Case {
   Expect points;    // of bare points, or a mesh's vertices; empty: only what holds for every input
   Expect mesh = {}; // empty if the file has no faces that could be read
   bool drop_invalid = false;
+  bool heavy = false; // of millions of cells: whole in one way only, in every way every fourth point
 
   friend void PrintTo(const Case &c, std::ostream *out) { *out << c.file; }
 };
 
 /// Run one file every way (polar and all Voronoi balls; labels as the mesh offers and by
 /// propagation), each in a child process of limited time and memory. The first way is taken in the
-/// C locale and once more in an odd host: same bytes. Under sanitizers only that one.
+/// C locale and once more in an odd host: same bytes. Under sanitizers only that one, once.
 void run_case(const Case &c);
 
 } // namespace nasty

@@ -307,6 +307,12 @@ typedef struct vbm_surface_report {
   uint64_t added_points;    /* vertices that are no singular points: on arcs and within patches      */
   double gap_max, gap_mean; /* distance of triangles' middles from the spheres they stand for; the mean is
                                by area                                                              */
+  /* With vbm_ball_surface_options.errors: distances between the surface and the boundary of the union of the
+   * balls, at points of both. From the surface: its vertices, the middles of its triangles, and for the mean
+   * points spread evenly; within the union never less than the distance. From the union's boundary: four
+   * points or more for each ball.                                                                        */
+  double surface_error_max, surface_error_mean; /* from the surface to the union's boundary         */
+  double union_error_max, union_error_mean;     /* from the union's boundary to the surface         */
 } vbm_surface_report;
 
 VBM_API vbm_status vbm_surface_get_report(const vbm_surface *surface, vbm_surface_report *report);

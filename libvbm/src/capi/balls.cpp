@@ -3,6 +3,7 @@
 #include "ball_surface/singular_crust.h"
 #include "ball_surface/singular_points.h"
 #include "ball_surface/skin.h"
+#include "ball_surface/union_error.h"
 #include "capi/guard.h"
 #include "capi/views.h"
 #include "core/tolerances.h"
@@ -30,16 +31,27 @@ vbm_measures *measure_list(const BallList &list, std::size_t count, Progress &pr
   return new vbm_measures(std::move(result));
 }
 
-vbm_surface *surface_of(const UnionInput &set, const vbm_ball_surface_options &options,
-                        Progress &progress) {
+Surface make_surface(const UnionInput &set, const vbm_ball_surface_options &options,
+                     Progress &progress) {
   switch (options.style) {
   case VBM_BALL_STYLE_SKIN:
-    return new vbm_surface{skin_surface(set, options, progress)};
+    return skin_surface(set, options, progress);
   case VBM_BALL_STYLE_POWER_CRUST:
-    return new vbm_surface{singular_crust(set, options, progress)};
+    return singular_crust(set, options, progress);
   default:
-    return new vbm_surface{singular_point_surface(set, options, progress)};
+    return singular_point_surface(set, options, progress);
   }
+}
+
+vbm_surface *surface_of(const UnionInput &set, const vbm_ball_surface_options &options,
+                        Progress &progress) {
+  if (options.errors) progress.part(0.5);
+  Surface surface = make_surface(set, options, progress);
+  if (options.errors) {
+    progress.part(1);
+    measure_errors(surface, set, progress);
+  }
+  return new vbm_surface{std::move(surface)};
 }
 
 UnionInput set_of(BallList list) {

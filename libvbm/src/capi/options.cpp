@@ -174,6 +174,7 @@ vbm_ball_surface_options read_options(const vbm_ball_surface_options *options) {
   if (!(o.shrink >= 0.05 && o.shrink <= 0.99))
     bad_option("shrink", "is outside its range 0.05 to 0.99");
   if (!(o.narrow >= 0 && o.narrow <= 1)) bad_option("narrow", "is outside its range 0 to 1");
+  if (o.errors != 0 && o.errors != 1) bad_option("errors", "must be 0 or 1");
   return o;
 }
 
