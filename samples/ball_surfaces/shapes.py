@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Four solids from formulas, and samples spread evenly over them.
+"""Four solids from formulas, and samples spread evenly over them; and a molecule.
 
 Each formula is negative inside. Points are thrown near the surface, brought onto it by Newton's method, and
 taken in the order they came wherever none taken before is nearer than the spacing: even, but with no pattern.
@@ -55,6 +55,19 @@ def two_holes(p):
     p = p[:, [0, 2, 1]]
     return _blend([_ring(p, (-0.72, 0, 0), 0.62, 0.26), _ring(p, (0.72, 0, 0), 0.62, 0.26)], 0.05)
 
+
+def fullerene(bond=1.42):
+    """The 60 atoms of buckminsterfullerene, in angstroms: corners of a truncated icosahedron."""
+    golden = (1 + 5**0.5) / 2
+    rows = [np.roll(corner * (1 - 2 * np.array(sign)), turn)
+            for corner in ((0, 1, 3 * golden), (1, 2 + golden, 2 * golden), (golden, 2, 2 * golden + 1))
+            for sign in np.ndindex(2, 2, 2) for turn in range(3)]
+    return np.unique(np.round(rows, 12), axis=0) * bond / 2
+
+
+# Radius of the atoms, components and handles of the surface. With van der Waals radii they enclose a cavity;
+# where only neighbours meet, all 32 rings are open: 31 handles, as the first hole is none.
+MOLECULES = {"C60 shell": (1.7, 2, 0), "C60 cage": (0.9, 1, 31)}
 
 SHAPES = {"apple": (apple, 0), "mushroom": (mushroom, 0), "heart": (heart, 0), "two-holed torus": (two_holes, 2)}
 

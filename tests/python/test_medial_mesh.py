@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Medial meshes: the axis of N balls and curve skeletons; topology by GUDHI."""
 
+import functools
 import importlib.util
 import pathlib
 
@@ -184,6 +185,32 @@ def test_errors_agree_with_brute_force(count):
         error = getattr(report, f"sample_error_{name}") * diagonal
         assert 0.97 * of(least) <= error <= 1.03 * of(most), name
     assert report.error_max == max(report.sample_error_max, report.envelope_error_max)
+
+
+@functools.lru_cache(None)
+def three_balls():
+    """Samples of the envelope of three balls and all mixed of them."""
+    steps = 40
+    i, j = np.meshgrid(np.arange(steps + 1), np.arange(steps + 1), indexing="ij")
+    weights = np.stack([steps - i - j, i, j], -1)[i + j <= steps] / steps
+    mixed = weights @ [[0, 0, 0, 0.15], [2, 0, 0, 0.1], [1, 1.7, 0, 0.05]]
+    out = np.random.default_rng(2).normal(size=(len(mixed), 100, 3))
+    out /= np.linalg.norm(out, axis=2, keepdims=True)
+    points = (mixed[:, None, :3] + mixed[:, None, 3:] * out).reshape(-1, 3)
+    return vbm.build(points[signed_distance(points, mixed)[0] > -1e-9])
+
+
+@pytest.mark.parametrize("count", [3, 4, 5])
+def test_errors_of_few_triangles_are_known(count):
+    """Each free side of a triangle, and the triangle itself, is nearest to some of the samples."""
+    model = three_balls()
+    mesh = model.medial_axis().simplify(count)
+    assert len(mesh.triangles) == count - 2 and len(mesh.edges) == 0
+    d, _ = signed_distance(model.samples, mixtures(mesh, 60))
+    report, diagonal = mesh.report, model.report.diagonal
+    assert d.max() == abs(d).max()  # outside, where distances have one meaning
+    assert report.sample_error_max * diagonal == pytest.approx(d.max(), rel=1e-3)
+    assert report.sample_error_mean * diagonal == pytest.approx(abs(d).mean(), rel=5e-3)
 
 
 def test_errors_of_one_ball_are_known():

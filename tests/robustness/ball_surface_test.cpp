@@ -125,7 +125,7 @@ TEST_P(BallSurfaces, CancelAtReports) {
 }
 
 TEST_P(BallSurfaces, TheSameInEveryEnvironment) {
-  const Balls balls = scattered(150), other = scattered(60);
+  const Balls balls = scattered(sanitized() ? 50 : 150), other = scattered(30);
   std::string first, again, there;
   ASSERT_EQ(call(balls)(context, &first), VBM_OK);
   ASSERT_EQ(call(other)(context, nullptr), VBM_OK);

@@ -221,9 +221,10 @@ void run_case(const Case &c) {
   if (c.heavy) {
     if (!sanitized())
       attempt(points, VBM_BALLS_POLAR, VBM_LABELS_AUTO, c.points, "the whole", false);
-    for (std::size_t i = 0; 12 * i < g.points.size(); ++i)
-      std::copy_n(&g.points[12 * i], 3, &g.points[3 * i]);
-    g.points.resize(3 * ((g.size() + 3) / 4));
+    const std::size_t step = sanitized() ? 10 : 4, count = (g.size() + step - 1) / step;
+    for (std::size_t i = 0; i < count; ++i)
+      std::copy_n(&g.points[3 * step * i], 3, &g.points[3 * i]);
+    g.points.resize(3 * count);
   }
   attempt(points, VBM_BALLS_POLAR, VBM_LABELS_AUTO, c.points, "bare points");
   if (faces) attempt(mesh, VBM_BALLS_POLAR, VBM_LABELS_AUTO, c.mesh, "mesh");

@@ -49,7 +49,7 @@ struct Case {
   Expect points;    // of bare points, or a mesh's vertices; empty: only what holds for every input
   Expect mesh = {}; // empty if the file has no faces that could be read
   bool drop_invalid = false;
-  bool heavy = false; // of millions of cells: whole in one way only, in every way every fourth point
+  bool heavy = false; // of millions of cells: whole in one way only, some of its points in every way
 
   friend void PrintTo(const Case &c, std::ostream *out) { *out << c.file; }
 };
