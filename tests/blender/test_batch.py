@@ -3,6 +3,7 @@
 
 import importlib.util
 import os
+import re
 import sys
 
 import bpy
@@ -23,10 +24,11 @@ def batch(*arguments, **environment):
 
 
 def rows(printed):
-    """The table: file -> the rest of its line."""
+    """The table: file -> the rest of its line. Later Blenders log to the same stream, lines that begin with a time."""
     lines = printed.splitlines()
     start = next(i for i, line in enumerate(lines) if line.startswith("file "))
-    return {line.split("  ")[0]: line for line in lines[start + 1:] if "  " in line}
+    return {line.split("  ")[0]: line for line in lines[start + 1:]
+            if "  " in line and not re.match(r"\d\d:\d\d\.\d", line)}
 
 
 def test_a_folder_of_good_and_bad(tmp_path):

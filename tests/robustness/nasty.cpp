@@ -226,7 +226,8 @@ void run_case(const Case &c) {
       std::copy_n(&g.points[3 * step * i], 3, &g.points[3 * i]);
     g.points.resize(3 * count);
   }
-  attempt(points, VBM_BALLS_POLAR, VBM_LABELS_AUTO, c.points, "bare points");
+  if (!faces || !sanitized())
+    attempt(points, VBM_BALLS_POLAR, VBM_LABELS_AUTO, c.points, "bare points");
   if (faces) attempt(mesh, VBM_BALLS_POLAR, VBM_LABELS_AUTO, c.mesh, "mesh");
   if (sanitized()) return; // which takes ten times as long
   attempt(points, VBM_BALLS_VORONOI, VBM_LABELS_AUTO, c.points, "bare points, Voronoi balls");

@@ -56,7 +56,8 @@ struct Case {
 
 /// Run one file every way (polar and all Voronoi balls; labels as the mesh offers and by
 /// propagation), each in a child process of limited time and memory. The first way is taken in the
-/// C locale and once more in an odd host: same bytes. Under sanitizers only that one, once.
+/// C locale and once more in an odd host: same bytes. Under sanitizers only that one,
+/// once, and meshes only as meshes.
 void run_case(const Case &c);
 
 } // namespace nasty

@@ -57,7 +57,7 @@ typedef struct vbm_ball_surface_options {
   size_t struct_size;
   int32_t style;  /* vbm_ball_style; default SINGULAR_POINTS                                       */
   int32_t errors; /* 1: measure how far surface and union are apart, both ways, for the report; takes
-                     about as long as making the surface; default 0                                */
+                     several times as long as a surface of singular points; default 0              */
   double bulge;   /* where the middle of a polygon would be farther from its ball's sphere than this
                      share of the radius, vertices on the sphere are added, and on long arcs; skin: where
                      the middle of an edge would be as far from the skin, and shorter edges are

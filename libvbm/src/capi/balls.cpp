@@ -45,7 +45,7 @@ Surface make_surface(const UnionInput &set, const vbm_ball_surface_options &opti
 
 vbm_surface *surface_of(const UnionInput &set, const vbm_ball_surface_options &options,
                         Progress &progress) {
-  if (options.errors) progress.part(0.5);
+  if (options.errors) progress.part(0.3);
   Surface surface = make_surface(set, options, progress);
   if (options.errors) {
     progress.part(1);
