@@ -2,8 +2,8 @@
 """The batch script of samples/: good files and bad ones side by side, and the table at the end."""
 
 import importlib.util
+import itertools
 import os
-import re
 import sys
 
 import bpy
@@ -24,11 +24,11 @@ def batch(*arguments, **environment):
 
 
 def rows(printed):
-    """The table: file -> the rest of its line. Later Blenders log to the same stream, lines that begin with a time."""
+    """The table: file -> the rest of its line. It ends with an empty line; what Blender itself says follows."""
     lines = printed.splitlines()
     start = next(i for i, line in enumerate(lines) if line.startswith("file "))
-    return {line.split("  ")[0]: line for line in lines[start + 1:]
-            if "  " in line and not re.match(r"\d\d:\d\d\.\d", line)}
+    table = itertools.takewhile(str.strip, lines[start + 1:])
+    return {line.split("  ")[0]: line for line in table}
 
 
 def test_a_folder_of_good_and_bad(tmp_path):
