@@ -18,7 +18,7 @@ namespace {
 using failing_memory::Mode;
 
 /// Requests that fail in one test at most: with more, every so-manieth.
-const long kMostFailures = sanitized() ? 120 : 600;
+const long kMostFailures = sanitized() ? 120 : 1500;
 
 class Memory : public testing::Test {
 protected:
