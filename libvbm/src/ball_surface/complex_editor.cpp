@@ -4,6 +4,7 @@
 #include "ball_surface/complex_editor.h"
 
 #include "core/progress.h"
+#include "core/sort_edges.h"
 #include "dual/orthospheres.h"
 
 #include <algorithm>
@@ -304,10 +305,7 @@ void ComplexEditor::split_double_arcs(Progress &progress) {
     keys.push_back({std::min(u, v), std::max(u, v), int32_t(d)});
   }
   progress.tick_slow(2, 3);
-  std::sort(keys.begin(), keys.end(), [](const Key &a, const Key &b) {
-    if (a.low != b.low) return a.low < b.low;
-    return a.high != b.high ? a.high < b.high : a.dart < b.dart;
-  });
+  sort_edges(keys, vertices(), progress);
   const auto halve = [&](int32_t d) {
     const PatchComplex::Arc &arc = complex.arcs[complex.darts[d].arc];
     split(d, (arc.from + arc.to) / 2);

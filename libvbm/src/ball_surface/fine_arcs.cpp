@@ -40,6 +40,16 @@ constexpr double kStill = 0.1;
 /// Squared: ends nearer than this are one.
 constexpr double kSamePlace = 1e-24;
 
+/// Below this a determinant of unit vectors is not surely positive, and a corner not convex.
+constexpr double kConvex = 1e-12;
+
+/// Ratio of the distance of two patches' middles to how far they reach: with more than the square
+/// root of 2, no two chords' diametral balls meet.
+constexpr double kApart = 1.42;
+
+/// A ball with more patches is not looked at pair by pair.
+constexpr int kManyPatches = 8;
+
 struct Chord {
   int32_t dart;
   Vec3 from, to, middle; // from the ball's centre, in radii; middle is not on the sphere
@@ -74,7 +84,10 @@ public:
   std::vector<int32_t> run() {
     const std::size_t balls = editor_.shape.vertex.size();
     darts_.resize(balls);
+    listed_.assign(balls, 0);
+    most_.assign(balls, 0);
     queued_.assign(balls, 0);
+    find_doubtful();
     list_darts();
     std::vector<int32_t> work, failed;
     for (std::size_t b = balls; b-- > 0;)
@@ -96,12 +109,93 @@ private:
     return editor_.complex.patches[editor_.complex.darts[d].patch].ball;
   }
 
+  /// What is known of a ball's patch that is easily seen to be free of crossings, from the ball's
+  /// centre and in radii.
+  struct Place {
+    Vec3 middle;
+    double reach;
+  };
+
+  /// Most patches are small and convex, and each ball's are apart. Of the other balls all chords
+  /// are to be looked at.
+  void find_doubtful() {
+    const PatchComplex &c = editor_.complex;
+    const std::size_t balls = listed_.size();
+    first_patch_.assign(balls, -1);
+    next_patch_.assign(c.patches.size(), -1);
+    std::vector<Place> place(c.patches.size());
+    for (std::size_t p = 0; p < c.patches.size(); ++p) {
+      progress_.tick(1, 2);
+      const PatchComplex::Patch &patch = c.patches[p];
+      if (patch.loops <= 0) continue;
+      uint8_t &doubtful = listed_[patch.ball];
+      doubtful |= patch.loops > 1 || patch.wraps || !is_convex(int32_t(p), place[p]);
+      int count = 0;
+      for (int32_t q = first_patch_[patch.ball]; q >= 0 && !doubtful; q = next_patch_[q]) {
+        const double reach = kApart * (place[p].reach + place[q].reach);
+        const Vec3 gap = place[p].middle - place[q].middle;
+        doubtful = dot(gap, gap) <= reach * reach || ++count > kManyPatches;
+      }
+      next_patch_[p] = first_patch_[patch.ball];
+      first_patch_[patch.ball] = int32_t(p);
+    }
+  }
+
+  /// Whether all corners of a patch's one loop are left of its first chord, and seen one after the
+  /// other from the first corner; and the loop runs the right way round.
+  bool is_convex(int32_t p, Place &place) {
+    const PatchComplex &c = editor_.complex;
+    const Site &ball = editor_.shape.site[c.patches[p].ball];
+    const Vec3 center = center_of(ball);
+    const int32_t first = editor_.dart_of(p);
+    corner_.clear();
+    int32_t at = first;
+    do {
+      corner_.push_back(unit(editor_.at(editor_.from(at)) - center));
+      at = c.darts[at].next;
+    } while (at != first);
+    const std::size_t n = corner_.size();
+    if (n < 3) return false;
+    const Vec3 side = cross(corner_[0], corner_[1]);
+    Vec3 sum = corner_[0] + corner_[1], turn = side;
+    Vec3 from = side; // the plane of the first corner and the last one seen
+    for (std::size_t i = 2; i < n; ++i) {
+      if (dot(side, corner_[i]) < kConvex || dot(from, corner_[i]) < kConvex) return false;
+      from = cross(corner_[0], corner_[i]);
+      sum += corner_[i];
+      turn += cross(corner_[i - 1], corner_[i]);
+    }
+    turn += cross(corner_[n - 1], corner_[0]);
+    place.middle = sum * (1.0 / double(n));
+    place.reach = 0;
+    for (const Vec3 &x : corner_) {
+      const Vec3 gap = x - place.middle;
+      place.reach = std::max(place.reach, dot(gap, gap));
+    }
+    place.reach = std::sqrt(place.reach);
+    return dot(turn, sum) > 0;
+  }
+
   void list_darts() {
     for (std::size_t d = 0; d < editor_.complex.darts.size(); ++d)
-      if (editor_.alive(int32_t(d))) darts_[ball_of(int32_t(d))].push_back(int32_t(d));
-    most_.resize(darts_.size());
+      if (editor_.alive(int32_t(d)) && listed_[ball_of(int32_t(d))])
+        darts_[ball_of(int32_t(d))].push_back(int32_t(d));
     for (std::size_t b = 0; b < darts_.size(); ++b)
       most_[b] = kMostPieces * darts_[b].size() + kSomePieces;
+  }
+
+  /// Of a ball that was not doubtful: its patches have one loop each.
+  void list_ball(int32_t b) {
+    listed_[b] = 1;
+    for (int32_t p = first_patch_[b]; p >= 0; p = next_patch_[p]) {
+      const int32_t first = editor_.dart_of(p);
+      int32_t at = first;
+      do {
+        darts_[b].push_back(at);
+        at = editor_.complex.darts[at].next;
+      } while (at != first);
+    }
+    most_[b] = kMostPieces * darts_[b].size() + kSomePieces;
   }
 
   void queue(int32_t b, std::vector<int32_t> &work) {
@@ -214,16 +308,23 @@ private:
     const PatchComplex::Arc &arc = c.arcs[c.darts[d].arc];
     if (arc.to - arc.from < kShortest) return false;
     const int32_t t = c.darts[d].twin, other = ball_of(t);
+    const bool known = listed_[other];
     editor_.split(d, (arc.from + arc.to) / 2);
     darts_[ball_of(d)].push_back(c.darts[d].next);
-    darts_[other].push_back(c.darts[t].next);
+    if (known)
+      darts_[other].push_back(c.darts[t].next);
+    else
+      list_ball(other);
     queue(other, work);
     return true;
   }
 
   ComplexEditor &editor_;
   Progress &progress_;
-  std::vector<std::vector<int32_t>> darts_; // of each ball
+  std::vector<std::vector<int32_t>> darts_; // of each ball that is listed
+  std::vector<uint8_t> listed_;
+  std::vector<int32_t> first_patch_, next_patch_; // by ball; by patch
+  std::vector<Vec3> corner_;
   std::vector<std::size_t> most_;
   std::vector<uint8_t> queued_;
   std::vector<Chord> chords_;

@@ -63,8 +63,12 @@ private:
     const Vec3 &a = position_[t_[i][0]], &b = position_[t_[i][1]], &c = position_[t_[i][2]];
     if (thinness(a, b, c) < kNeedle || faces_ball(i, t_[i][0], t_[i][1], t_[i][2])) return true;
     const Ball &ball = balls_[ball_[i]];
+    const double square = ball.radius * ball.radius;
     const auto is_deep = [&](const Vec3 &x) {
-      return std::fabs(ball.radius - distance(x, ball.center)) > kDeep * ball.radius;
+      const Vec3 d = x - ball.center;
+      const double there = dot(d, d);
+      return there < (1 - kDeep) * (1 - kDeep) * square ||
+             there > (1 + kDeep) * (1 + kDeep) * square;
     };
     return is_deep((a + b) * 0.5) || is_deep((b + c) * 0.5) || is_deep((c + a) * 0.5);
   }

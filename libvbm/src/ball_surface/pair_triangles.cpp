@@ -3,6 +3,7 @@
 #include "ball_surface/pair_triangles.h"
 
 #include "core/progress.h"
+#include "core/sort_edges.h"
 
 #include <algorithm>
 
@@ -35,10 +36,7 @@ std::vector<int32_t> pair_triangles(const std::vector<Vec3> &position,
     }
   }
   progress.tick_slow(1, 1);
-  std::sort(edges.begin(), edges.end(), [](const Edge &a, const Edge &b) {
-    if (a.low != b.low) return a.low < b.low;
-    return a.high != b.high ? a.high < b.high : a.triangle < b.triangle;
-  });
+  sort_edges(edges, position.size(), progress);
   struct Pair {
     double flat;
     int32_t a, b;

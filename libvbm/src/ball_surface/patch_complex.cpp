@@ -15,6 +15,7 @@
 // radius.
 #include "ball_surface/patch_complex.h"
 
+#include "ball_surface/angle_sum.h"
 #include "ball_surface/patch_area.h"
 #include "core/disjoint_sets.h"
 #include "core/progress.h"
@@ -33,6 +34,9 @@ constexpr double kPi = 3.14159265358979323846;
 /// Radians. Nearer to none or a full turn than this, an angle between two triangles is found by
 /// adding up those of the tetrahedra between, which cannot mistake one for the other.
 constexpr double kCertainAngle = 1e-3;
+
+/// Share of the square of a circle's radius: nearer to it than that an arc's end is on it.
+constexpr double kOnCircle = 1e-7;
 
 /// A circle is cut into at least so many pieces.
 constexpr int kLeastPieces = 3;
@@ -73,11 +77,21 @@ private:
   // ---- Singular points
 
   void make_points() {
-    const std::size_t count = shape_.triangles.size();
+    const std::size_t count = shape_.triangles.size(), balls = shape_.vertex.size();
     point_.assign(2 * count, -1);
-    out_.bare.assign(shape_.vertex.size(), 0);
+    for (std::size_t t = 0; t < count; ++t)
+      for (int side = 0; side < 2; ++side)
+        if (shape_.triangles[t].open[side]) {
+          point_[2 * t + side] = int32_t(out_.code.size());
+          out_.code.push_back(int32_t(2 * t) + side);
+        }
+    out_.singular_points = out_.code.size();
+    out_.position.resize(out_.singular_points);
+    out_.blur.resize(out_.singular_points);
     half_angle_chord_.resize(count);
     center_.resize(count);
+    corners_.resize(balls);
+    out_.bare.assign(balls, 0);
     for (std::size_t t = 0; t < count; ++t) {
       progress_.tick(t, 4 * count);
       const DualShape::Triangle &triangle = shape_.triangles[t];
@@ -86,10 +100,8 @@ private:
       const Vec3 y = triangle_center(shape_.site[b[0]], shape_.site[b[1]], shape_.site[b[2]]);
       center_[t] = center_of(shape_.site[b[0]]) + y;
       half_angle_chord_[t] = chord_of(shape_.site[b[0]], y);
-      for (int side = 0; side < 2; ++side)
-        if (triangle.open[side]) add_point(int32_t(t), side, y);
+      add_points(t, y);
     }
-    out_.singular_points = out_.position.size();
     start_.assign(3 * out_.singular_points, -1);
     end_.assign(3 * out_.singular_points, -1);
   }
@@ -99,75 +111,163 @@ private:
     return std::sqrt(std::max(0.0, (s.r - h) * (s.r + h)));
   }
 
-  void add_point(int32_t t, int side, Vec3 y) {
+  /// On the open sides of a triangle.
+  void add_points(std::size_t t, Vec3 y) {
     const auto &b = shape_.triangles[t].ball;
     const Site &p = true_site(b[0]), &q = true_site(b[1]), &r = true_site(b[2]);
-    const Vec3 e = center_of(q) - center_of(p), f = center_of(r) - center_of(p), w = cross(e, f),
-               normal = unit(w);
+    const Vec3 e = center_of(q) - center_of(p), f = center_of(r) - center_of(p), w = cross(e, f);
+    const double area = length(w);
     double chord = half_angle_chord_[t];
+    bool offset = false;
     if (options_.bridged) {
       y = triangle_center(p, q, r);
       chord = chord_of(p, y);
-      if (!(chord > 0)) {
-        chord = (p.r + q.r + r.r) / 3;
-        ++out_.offset_points;
-      }
+      offset = !(chord > 0);
+      if (offset) chord = (p.r + q.r + r.r) / 3;
     }
-    const Vec3 at = y + normal * (side ? chord : -chord); // from p's centre
-    add_corner(b[0], at, e, f, w);
-    add_corner(b[1], at - e, f - e, -e, w);
-    add_corner(b[2], at - f, -f, e - f, w);
-    point_[2 * t + side] = int32_t(out_.position.size());
-    out_.code.push_back(2 * t + side);
-    out_.position.push_back(center_of(p) + at);
     // What the radii were changed by moves the planes between the balls: by kTouch of the radii
     // where these differ, by kPowerChange of their squares in any case.
-    const double le = length(e), lf = length(f), area = length(w);
-    const double lift = 2 * kPowerChange * p.r * p.r;
+    const double le = length(e), lf = length(f), lift = 2 * kPowerChange * p.r * p.r;
     const double flat =
         ((lift + 2 * kTouch * p.r * le) * lf + (lift + 2 * kTouch * p.r * lf) * le) / (2 * area);
     const double blur = flat * (1 + length(y) / chord) + 2 * kTouch * p.r * p.r / chord;
-    out_.blur.push_back(blur < kMostBlur * p.r ? blur : kMostBlur * p.r);
+    const Vec3 up = area > 0 ? w * (chord / area) : Vec3{};
+    for (int side = 0; side < 2; ++side) {
+      const int32_t number = point_[2 * t + side];
+      if (number < 0) continue;
+      const Vec3 at = side ? y + up : y - up; // from p's centre
+      add_corner(corners_[b[0]], at, e, f, w);
+      add_corner(corners_[b[1]], at - e, f - e, -e, w);
+      add_corner(corners_[b[2]], at - f, -f, e - f, w);
+      out_.offset_points += offset;
+      out_.position[number] = center_of(p) + at;
+      out_.blur[number] = blur < kMostBlur * p.r ? blur : kMostBlur * p.r;
+    }
   }
 
   /// What a corner of a ball's patch takes from its solid angle: see patch_area.h. `q` and `r` are
   /// the other balls' centres from the ball's own, `w` the vector product of any two sides.
-  void add_corner(int32_t ball, const Vec3 &at, const Vec3 &q, const Vec3 &r, const Vec3 &w) {
+  static void add_corner(AngleSum &sum, const Vec3 &at, const Vec3 &q, const Vec3 &r,
+                         const Vec3 &w) {
     const double square = dot(at, at);
-    out_.bare[ball] -= std::atan2(std::fabs(dot(at, w)) * std::sqrt(square),
-                                  dot(q, r) * square - dot(at, q) * dot(at, r));
+    sum.add(dot(q, r) * square - dot(at, q) * dot(at, r),
+            std::fabs(dot(at, w)) * std::sqrt(square));
   }
 
   // ---- Arcs
 
+  /// What is known of an arc before it has a place among the others.
+  struct Span {
+    uint32_t edge, turn;
+    double begin, angle;
+    int32_t pieces;
+  };
+
   void make_arcs() {
     const std::size_t count = shape_.edges.size();
-    // Three arcs meet in every singular point; most are one piece.
-    const std::size_t arcs = out_.singular_points * 3 / 2;
-    out_.circles.reserve(arcs);
-    out_.arcs.reserve(arcs + arcs / 4);
-    out_.darts.reserve(2 * arcs + arcs / 2);
+    std::vector<Span> spans;
+    spans.reserve(out_.singular_points * 3 / 2); // three arcs meet in every singular point
     for (std::size_t e = 0; e < count; ++e) {
-      progress_.tick(count + e, 4 * count);
       const DualShape::Edge &edge = shape_.edges[e];
-      if (edge.begin == edge.end) {
-        const Axis3 axis(shape_.site[edge.a], shape_.site[edge.b]);
-        add_whole_circle(uint32_t(e), axis);
-        continue;
-      }
-      bool any = false;
-      for (uint32_t t = edge.begin; t < edge.end; ++t) any |= shape_.turns[t].outside != 0;
-      if (!any) continue;
-      const Axis3 axis(shape_.site[edge.a], shape_.site[edge.b]);
+      if (edge.begin == edge.end) spans.push_back({uint32_t(e), edge.end, 0, 2 * kPi, 0});
       for (uint32_t t = edge.begin; t < edge.end; ++t)
-        if (shape_.turns[t].outside) add_arc(uint32_t(e), axis, t);
+        if (shape_.turns[t].outside) spans.push_back({uint32_t(e), t, 0, 0, 0});
     }
+    out_.circles.resize(spans.size());
+    const std::size_t total = 4 * spans.size();
+    std::size_t pieces = 0;
+    for (std::size_t i = 0; i < spans.size(); ++i) {
+      progress_.tick(spans.size() + i, total);
+      find_span(spans[i], out_.circles[i]);
+      pieces += std::size_t(spans[i].pieces);
+    }
+    out_.arcs.reserve(2 * pieces); // some will be cut in two
+    out_.darts.reserve(3 * pieces);
+    for (std::size_t i = 0; i < spans.size(); ++i) {
+      progress_.tick(2 * spans.size() + i, total);
+      add_span(spans[i], int32_t(i));
+    }
+    for (std::size_t b = 0; b < out_.bare.size(); ++b) out_.bare[b] -= corners_[b].sum();
+  }
+
+  void find_span(Span &span, PatchComplex::Circle &circle) const {
+    const DualShape::Edge &edge = shape_.edges[span.edge];
+    const Axis3 axis(shape_.site[edge.a], shape_.site[edge.b]);
+    circle = {span.edge, span.turn, axis.center, {}, {}, axis.direction, axis.height_a,
+              axis.height_b};
+    if (edge.begin == edge.end) {
+      // Any direction: across the axis's smallest coordinate.
+      const Vec3 &d = axis.direction;
+      const double x = std::fabs(d.x), y = std::fabs(d.y), z = std::fabs(d.z);
+      const Vec3 u = x <= y && x <= z ? Vec3{1, 0, 0} : y <= z ? Vec3{0, 1, 0} : Vec3{0, 0, 1};
+      circle.u = unit(axis.perpendicular(u)) * axis.radius;
+      span.pieces = std::max(kLeastPieces, pieces(edge, axis, 2 * kPi));
+    } else if (!find_by_ends(span, circle, edge, axis)) {
+      find_by_halves(span, circle, edge, axis);
+    }
+    circle.v = cross(axis.direction, circle.u);
+    if (edge.begin != edge.end) span.pieces = pieces(edge, axis, span.angle);
+  }
+
+  /// The angle from one end to the other. False if it might be none as well as a full turn, or the
+  /// ends are not known to be on the circle.
+  bool find_by_ends(Span &span, PatchComplex::Circle &circle, const DualShape::Edge &edge,
+                    const Axis3 &axis) const {
+    if (options_.bridged) return false;
+    const uint32_t next = next_turn(edge, span.turn);
+    const Vec3 from = out_.position[first_point(span.turn)] - axis.center,
+               to = out_.position[last_point(next)] - axis.center;
+    const double square = axis.radius * axis.radius, most = kOnCircle * square;
+    if (!(std::fabs(dot(from, from) - square) < most && std::fabs(dot(to, to) - square) < most))
+      return false;
+    double angle = std::atan2(dot(axis.direction, cross(from, to)), dot(from, to));
+    if (std::fabs(angle) < kCertainAngle) {
+      // Between balls less than a half turn apart there is none of more than that.
+      const Vec3 a = shape_.position(edge.a);
+      const Vec3 p = shape_.position(shape_.turns[span.turn].ball) - a,
+                 q = shape_.position(shape_.turns[next].ball) - a;
+      if (!(dot(axis.direction, cross(p, q)) > kCertainAngle * length(p) * length(q))) return false;
+      angle = std::max(angle, 0.0);
+    }
+    span.angle = angle < 0 ? angle + 2 * kPi : angle;
+    circle.u = from;
+    return true;
+  }
+
+  /// The angle between the balls of its turns, without what is inside them.
+  void find_by_halves(Span &span, PatchComplex::Circle &circle, const DualShape::Edge &edge,
+                      const Axis3 &axis) const {
+    const uint32_t turn = span.turn, next = next_turn(edge, turn);
+    const Vec3 from = direction_of(edge, axis, turn), to = direction_of(edge, axis, next);
+    double wedge =
+        turn == next ? 2 * kPi : std::atan2(dot(axis.direction, cross(from, to)), dot(from, to));
+    if (turn != next && std::fabs(wedge) < kCertainAngle)
+      wedge = outside_angle(shape_, edge, axis, turn);
+    else if (wedge < 0)
+      wedge += 2 * kPi;
+    span.begin = half_angle(axis, turn, from);
+    span.angle = std::max(0.0, wedge - span.begin - half_angle(axis, next, to));
+    circle.u = from * axis.radius;
+  }
+
+  /// The ends of the arc after a turn, and of the one before it: the triangle's singular point on
+  /// the side of the wedge, and the one on its other side.
+  int32_t first_point(uint32_t turn) const {
+    const DualShape::Turn &t = shape_.turns[turn];
+    return point_[2 * t.triangle + t.side];
+  }
+  int32_t last_point(uint32_t turn) const {
+    const DualShape::Turn &t = shape_.turns[turn];
+    return point_[2 * t.triangle + 1 - t.side];
   }
 
   int pieces(const DualShape::Edge &edge, const Axis3 &axis, double angle) const {
     const double r = std::min(shape_.site[edge.a].r, shape_.site[edge.b].r);
     const double sagitta = options_.bulge * r;
-    if (angle < 2 * kPi / kLeastPieces && axis.radius * (1 - std::cos(angle / 2)) <= sagitta)
+    // 1 - cos x is x x / 2 at most.
+    if (angle < 2 * kPi / kLeastPieces &&
+        (axis.radius * angle * angle <= 8 * sagitta ||
+         axis.radius * (1 - std::cos(angle / 2)) <= sagitta))
       return 1;
     const double most =
         std::min(2 * std::acos(std::max(-1.0, 1 - sagitta / axis.radius)), 2 * kPi / kLeastPieces);
@@ -185,68 +285,35 @@ private:
     return std::atan2(half_angle_chord_[t], dot(center_[t] - axis.center, direction));
   }
 
-  void add_arc(uint32_t e, const Axis3 &axis, uint32_t turn) {
-    const DualShape::Edge &edge = shape_.edges[e];
-    const uint32_t next = next_turn(edge, turn);
-    const Vec3 from = direction_of(edge, axis, turn), to = direction_of(edge, axis, next);
-    double wedge =
-        turn == next ? 2 * kPi : std::atan2(dot(axis.direction, cross(from, to)), dot(from, to));
-    if (turn != next && std::fabs(wedge) < kCertainAngle)
-      wedge = outside_angle(shape_, edge, axis, turn);
-    else if (wedge < 0)
-      wedge += 2 * kPi;
-    const double begin = half_angle(axis, turn, from);
-    const double angle = std::max(0.0, wedge - begin - half_angle(axis, next, to));
-    const int n = pieces(edge, axis, angle);
-    add_side(edge, axis, angle);
-    // From the triangle's singular point on the side of the wedge to the next one's; that side of
-    // the next is the other one than the one its own wedge is on.
-    const DualShape::Turn &t = shape_.turns[turn], &u = shape_.turns[next];
-    const int32_t first = point_[2 * t.triangle + t.side],
-                  last = point_[2 * u.triangle + 1 - u.side];
+  void add_span(const Span &span, int32_t circle) {
+    const DualShape::Edge &edge = shape_.edges[span.edge];
+    const PatchComplex::Circle &c = out_.circles[circle];
+    out_.bare[edge.a] += c.height_a / shape_.site[edge.a].r * span.angle;
+    out_.bare[edge.b] += c.height_b / shape_.site[edge.b].r * span.angle;
     const int32_t dart = int32_t(out_.darts.size());
-    add_circle(e, turn, axis, from);
-    add_pieces(begin, begin + angle, n, first, last);
+    if (edge.begin == edge.end) {
+      const int32_t first = add_vertex(PatchComplex::point(c, 0));
+      add_pieces(span, circle, first, first);
+      const int32_t last = int32_t(out_.darts.size()) - 2;
+      set_next(last + 1, dart + 1);
+      set_next(dart, last);
+      return;
+    }
+    const uint32_t next = next_turn(edge, span.turn);
+    const int32_t first = first_point(span.turn), last = last_point(next);
+    add_pieces(span, circle, first, last);
     const int32_t final_dart = int32_t(out_.darts.size()) - 2;
+    const int32_t t = shape_.turns[span.turn].triangle, u = shape_.turns[next].triangle;
     // Ball b's darts run along the arc, a's against it.
-    start_[corner(t.triangle, first, edge.b)] = dart + 1;
-    end_[corner(u.triangle, last, edge.b)] = final_dart + 1;
-    start_[corner(u.triangle, last, edge.a)] = final_dart;
-    end_[corner(t.triangle, first, edge.a)] = dart;
-  }
-
-  /// And what an arc adds to both its balls'.
-  void add_side(const DualShape::Edge &edge, const Axis3 &axis, double angle) {
-    out_.bare[edge.a] += axis.height_a / shape_.site[edge.a].r * angle;
-    out_.bare[edge.b] += axis.height_b / shape_.site[edge.b].r * angle;
+    start_[corner(t, first, edge.b)] = dart + 1;
+    end_[corner(u, last, edge.b)] = final_dart + 1;
+    start_[corner(u, last, edge.a)] = final_dart;
+    end_[corner(t, first, edge.a)] = dart;
   }
 
   std::size_t corner(int32_t triangle, int32_t point, int32_t ball) const {
     const auto &b = shape_.triangles[triangle].ball;
     return 3 * std::size_t(point) + (b[1] == ball) + 2 * (b[2] == ball);
-  }
-
-  void add_circle(uint32_t e, uint32_t turn, const Axis3 &axis, const Vec3 &from) {
-    out_.circles.push_back({e, turn, axis.center, from * axis.radius,
-                            cross(axis.direction, from) * axis.radius, axis.direction,
-                            axis.height_a, axis.height_b});
-  }
-
-  void add_whole_circle(uint32_t e, const Axis3 &axis) {
-    const DualShape::Edge &edge = shape_.edges[e];
-    const int n = std::max(kLeastPieces, pieces(edge, axis, 2 * kPi));
-    const int32_t first = int32_t(out_.position.size()), dart = int32_t(out_.darts.size());
-    // Any direction: across the axis's smallest coordinate.
-    const Vec3 &d = axis.direction;
-    const double x = std::fabs(d.x), y = std::fabs(d.y), z = std::fabs(d.z);
-    const Vec3 u = x <= y && x <= z ? Vec3{1, 0, 0} : y <= z ? Vec3{0, 1, 0} : Vec3{0, 0, 1};
-    add_circle(e, edge.end, axis, unit(axis.perpendicular(u)));
-    add_side(edge, axis, 2 * kPi);
-    add_vertex(PatchComplex::point(out_.circles.back(), 0));
-    add_pieces(0, 2 * kPi, n, first, first);
-    const int32_t last = int32_t(out_.darts.size()) - 2;
-    set_next(last + 1, dart + 1);
-    set_next(dart, last);
   }
 
   int32_t add_vertex(const Vec3 &p) {
@@ -255,15 +322,16 @@ private:
     return int32_t(out_.position.size()) - 1;
   }
 
-  /// Of the last circle.
-  void add_pieces(double begin, double end, int n, int32_t first, int32_t last) {
-    const PatchComplex::Circle &circle = out_.circles.back();
-    const int32_t number = int32_t(out_.circles.size()) - 1;
+  void add_pieces(const Span &span, int32_t number, int32_t first, int32_t last) {
+    const PatchComplex::Circle &circle = out_.circles[number];
+    const double begin = span.begin, angle = span.angle;
     int32_t at = first;
-    for (int k = 0; k < n; ++k) {
-      const double from = begin + (end - begin) * k / n, to = begin + (end - begin) * (k + 1) / n;
+    for (int32_t k = 0; k < span.pieces; ++k) {
+      const double from = begin + angle * k / span.pieces,
+                   to = begin + angle * (k + 1) / span.pieces;
       const int32_t arc = int32_t(out_.arcs.size()), dart = int32_t(out_.darts.size());
-      const int32_t there = k + 1 == n ? last : add_vertex(PatchComplex::point(circle, to));
+      const int32_t there =
+          k + 1 == span.pieces ? last : add_vertex(PatchComplex::point(circle, to));
       out_.arcs.push_back({number, from, to, out_.position[at], out_.position[there]});
       out_.darts.push_back({there, -1, -1, dart + 1, -1, arc, false});
       out_.darts.push_back({at, -1, -1, dart, -1, arc, true});
@@ -292,9 +360,7 @@ private:
   }
 
   void make_patches() {
-    std::vector<uint8_t> split = balls_with_split_links();
-    std::vector<std::vector<int32_t>> loops_of; // of balls with split links
-    std::vector<int32_t> split_number(shape_.vertex.size(), -1);
+    std::vector<int32_t> loops(shape_.vertex.size(), 0);
     for (std::size_t d = 0; d < out_.darts.size(); ++d) {
       progress_.tick(3 * out_.darts.size() + d, 4 * out_.darts.size());
       if (out_.darts[d].patch >= 0) continue;
@@ -303,18 +369,11 @@ private:
       for (int32_t at = int32_t(d); out_.darts[at].patch < 0; at = out_.darts[at].next, ++darts)
         out_.darts[at].patch = patch;
       out_.patches.push_back({ball, 1, darts, false});
+      first_dart_.push_back(int32_t(d));
       out_.bare[ball] += 2 * kPi;
-      if (!split[ball]) continue;
-      if (split_number[ball] < 0) {
-        split_number[ball] = int32_t(loops_of.size());
-        loops_of.emplace_back();
-      }
-      loops_of[split_number[ball]].push_back(int32_t(d));
+      ++loops[ball];
     }
-    for (const std::vector<int32_t> &loops : loops_of) {
-      progress_.tick(1, 1);
-      if (loops.size() > 1) join_loops(loops);
-    }
+    join_split_links(loops);
     find_wrapping();
     drop_joined();
     std::vector<uint8_t> has_edge(shape_.vertex.size(), 0);
@@ -327,38 +386,32 @@ private:
   }
 
   /// Balls round which the shape is not connected: only these can have patches of several loops.
-  std::vector<uint8_t> balls_with_split_links() {
-    std::vector<int32_t> edge_of(3 * shape_.triangles.size());
-    for (std::size_t e = 0; e < shape_.edges.size(); ++e)
-      for (uint32_t t = shape_.edges[e].begin; t < shape_.edges[e].end; ++t) {
-        const DualShape::Turn &turn = shape_.turns[t];
-        const auto &b = shape_.triangles[turn.triangle].ball;
-        edge_of[3 * turn.triangle + (b[1] == turn.ball) + 2 * (b[2] == turn.ball)] = int32_t(e);
+  /// Round a ball that is not hidden, a thickened shape has as many borders, which are the loops,
+  /// as it has components and, together, independent cycles; and the difference of these is its
+  /// Euler characteristic.
+  void join_split_links(const std::vector<int32_t> &loops) {
+    std::vector<int32_t> sum(loops);
+    for (const DualShape::Edge &e : shape_.edges) ++sum[e.a], ++sum[e.b];
+    for (const DualShape::Triangle &t : shape_.triangles)
+      for (int32_t b : t.ball) --sum[b];
+    for (std::size_t c = 0; c < shape_.cells.size(); ++c)
+      if (shape_.cell_in[c])
+        for (int32_t b : shape_.cells[c].ball) ++sum[b];
+    std::vector<std::vector<int32_t>> loops_of;
+    std::vector<int32_t> number(sum.size(), -1);
+    for (std::size_t p = 0; p < out_.patches.size(); ++p) {
+      const int32_t b = out_.patches[p].ball;
+      if (sum[b] <= 2 || loops[b] < 2) continue;
+      if (number[b] < 0) {
+        number[b] = int32_t(loops_of.size());
+        loops_of.emplace_back();
       }
-    const auto end_at = [&](int32_t e, int32_t ball) {
-      return 2 * e + (shape_.edges[e].b == ball);
-    };
-    DisjointSets ends(2 * shape_.edges.size());
-    for (std::size_t t = 0; t < shape_.triangles.size(); ++t) {
-      progress_.tick(2 * shape_.triangles.size() + t, 4 * shape_.triangles.size());
-      for (int k = 0; k < 3; ++k) {
-        const int32_t ball = shape_.triangles[t].ball[k];
-        ends.unite(end_at(edge_of[3 * t + (k + 1) % 3], ball),
-                   end_at(edge_of[3 * t + (k + 2) % 3], ball));
-      }
+      loops_of[number[b]].push_back(first_dart_[p]);
     }
-    std::vector<int32_t> set(shape_.vertex.size(), -1);
-    std::vector<uint8_t> split(shape_.vertex.size(), 0);
-    for (std::size_t e = 0; e < shape_.edges.size(); ++e)
-      for (int end = 0; end < 2; ++end) {
-        const int32_t ball = end ? shape_.edges[e].b : shape_.edges[e].a;
-        const int32_t s = ends.find(int32_t(2 * e) + end);
-        if (set[ball] < 0)
-          set[ball] = s;
-        else if (set[ball] != s)
-          split[ball] = 1;
-      }
-    return split;
+    for (const std::vector<int32_t> &l : loops_of) {
+      progress_.tick(1, 1);
+      join_loops(l);
+    }
   }
 
   /// Loops of one ball that are of one patch: between them there are only tetrahedra outside.
@@ -408,20 +461,19 @@ private:
   /// A loop that turns the wrong way is that of a large patch, or of one that is thinner than
   /// rounding.
   void find_wrapping() {
-    std::vector<uint8_t> done(out_.patches.size(), 0);
-    for (std::size_t d = 0; d < out_.darts.size(); ++d) {
-      PatchComplex::Patch &patch = out_.patches[out_.darts[d].patch];
-      if (patch.loops != 1 || done[out_.darts[d].patch]) continue;
-      done[out_.darts[d].patch] = 1;
+    for (std::size_t p = 0; p < out_.patches.size(); ++p) {
+      PatchComplex::Patch &patch = out_.patches[p];
+      if (patch.loops != 1) continue;
+      const int32_t d = first_dart_[p];
       const Vec3 c = center_of(shape_.site[patch.ball]), origin = out_.position[out_.darts[d].from];
       Vec3 normal, sum;
-      for (int32_t at = out_.darts[d].next; at != int32_t(d); at = out_.darts[at].next) {
+      for (int32_t at = out_.darts[d].next; at != d; at = out_.darts[at].next) {
         const Vec3 p = out_.position[out_.darts[at].from];
         normal += cross(p - origin, out_.position[out_.to(out_.darts[at])] - origin);
         sum += p - c;
       }
       if (dot(normal, sum + (origin - c)) > 0) continue;
-      patch.wraps = loop_angle(out_, shape_, int32_t(d)) > kWraps;
+      patch.wraps = loop_angle(out_, shape_, d) > kWraps;
     }
   }
 
@@ -460,6 +512,8 @@ private:
   std::vector<Vec3> center_;             // per triangle: its orthocentre
   std::vector<int32_t> start_,
       end_;                   // by singular point and ball of its triangle: the patch's darts
+  std::vector<int32_t> first_dart_; // of each patch, of each of its loops before they are joined
+  std::vector<AngleSum> corners_;   // of each ball's patches, by part and ball
   std::vector<int32_t> mark_; // per cell: the patch that is searched from
 };
 

@@ -8,6 +8,7 @@
 #include "ball_surface/geodesic.h"
 #include "ball_surface/sphere_patch.h"
 #include "core/progress.h"
+#include "core/sort_edges.h"
 #include "dual/orthospheres.h"
 #include "dual/wedges.h"
 
@@ -351,7 +352,7 @@ private:
   /// Per diagonal: the vertex in its middle, -1 if it has none.
   std::vector<int32_t> middles() {
     std::vector<int32_t> middle(diagonals_, -1);
-    std::vector<Key> keys;
+    std::vector<Key> sides, keys;
     std::size_t at = 0;
     for (std::size_t f = 0; f < face_end_.size(); ++f) {
       const std::size_t first = at;
@@ -359,19 +360,17 @@ private:
         const int32_t u = side_[at].vertex,
                       v = side_[at + 1 < face_end_[f] ? at + 1 : first].vertex;
         if (u <= v && side_[at].diagonal >= 0)
-          keys.push_back({u, v, side_[at].diagonal, face_patch_[f]});
+          sides.push_back({u, v, side_[at].diagonal, face_patch_[f]});
       }
     }
-    if (keys.empty()) return middle;
+    if (sides.empty()) return middle;
     for (const PatchComplex::Dart &d : c_.darts) {
       const int32_t to = c_.to(d);
       if (d.from < to) keys.push_back({d.from, to, -1, -1});
     }
+    keys.insert(keys.end(), sides.begin(), sides.end());
     progress_.tick_slow(1, 1);
-    std::sort(keys.begin(), keys.end(), [](const Key &a, const Key &b) {
-      if (a.low != b.low) return a.low < b.low;
-      return a.high != b.high ? a.high < b.high : a.diagonal < b.diagonal;
-    });
+    sort_edges(keys, mesh_.position.size(), progress_);
     progress_.tick_slow(1, 1);
     for (std::size_t i = 1; i < keys.size(); ++i) {
       const Key &k = keys[i];

@@ -3,6 +3,7 @@
 
 #include "core/error.h"
 #include "core/frame.h"
+#include "core/sort_edges.h"
 
 #include <algorithm>
 #include <numeric>
@@ -39,10 +40,7 @@ std::vector<HalfEdge> sorted_edges(const Surface &surface, Progress &progress) {
   }
   for (std::size_t v = 0; v + 1 < first.size(); ++v) {
     progress.tick(first.size(), 4 * first.size());
-    std::sort(edges.begin() + first[v], edges.begin() + first[v + 1],
-              [](const HalfEdge &a, const HalfEdge &b) {
-                return a.high != b.high ? a.high < b.high : a.id < b.id;
-              });
+    sort_by_high(edges.begin() + first[v], edges.begin() + first[v + 1]);
   }
   return edges;
 }
