@@ -2,12 +2,17 @@
 // Edelsbrunner, "The union of balls and its dual shape" (1995); Edelsbrunner, Muecke (1994). It
 // differs in that all radii are a little larger than they were given (kTouch), so that balls that
 // merely touch, as all balls of a Voronoi ball model do at their samples, meet properly.
+//
+// Cells are put in the order of their lowest balls, which are near each other in space where balls
+// were made in some order: everything after that finds its neighbours in the cache.
 #include "dual/dual_shape.h"
 
 #include "core/error.h"
 #include "core/progress.h"
 #include "core/tolerances.h"
 #include "dual/orthospheres.h"
+
+#include <algorithm>
 
 namespace vbm::impl {
 namespace {
@@ -18,7 +23,8 @@ class Search {
 public:
   Search(DualShape &shape, Progress &progress) : shape_(shape), progress_(progress) {}
 
-  void run() {
+  void run(const std::vector<Cell> &cells) {
+    arrange(cells);
     find_tetrahedra();
     find_triangles();
     find_edges();
@@ -32,12 +38,40 @@ private:
            shape_.real(c.ball[3]);
   }
 
+  /// In the order of their lowest balls, without those that are none.
+  void arrange(const std::vector<Cell> &cells) {
+    const std::size_t keys = shape_.vertex.size() + 4; // far corners, too
+    std::vector<uint32_t> first(keys + 2, 0), number(cells.size());
+    const auto key = [&](const Cell &c) {
+      return c.ball[0] < 0 ? keys : std::size_t(*std::min_element(c.ball.begin(), c.ball.end()));
+    };
+    for (const Cell &c : cells) {
+      progress_.tick(0, 1);
+      ++first[key(c) + 1];
+    }
+    for (std::size_t k = 0; k <= keys; ++k) first[k + 1] += first[k];
+    const std::size_t count = first[keys];
+    for (std::size_t c = 0; c < cells.size(); ++c) {
+      progress_.tick(0, 1);
+      number[c] = first[key(cells[c])]++;
+    }
+    shape_.cells.resize(count);
+    for (std::size_t c = 0; c < cells.size(); ++c) {
+      progress_.tick(0, 1);
+      if (number[c] >= count) continue;
+      Cell &to = shape_.cells[number[c]];
+      to = cells[c];
+      for (int32_t &n : to.neighbor)
+        if (n >= 0) n = int32_t(4 * number[n >> 2]) + (n & 3);
+    }
+  }
+
   void find_tetrahedra() {
     shape_.cell_in.assign(shape_.cells.size(), 0);
     for (std::size_t c = 0; c < shape_.cells.size(); ++c) {
       progress_.tick(c, 4 * shape_.cells.size());
       const Cell &cell = shape_.cells[c];
-      if (cell.ball[0] < 0 || !all_real(cell)) continue;
+      if (!all_real(cell)) continue;
       shape_.cell_in[c] = tetrahedron_meets(site(cell.ball[0]), site(cell.ball[1]),
                                             site(cell.ball[2]), site(cell.ball[3]));
     }
@@ -52,7 +86,6 @@ private:
     for (std::size_t c = 0; c < shape_.cells.size(); ++c) {
       progress_.tick(shape_.cells.size() + c, 4 * shape_.cells.size());
       const Cell &cell = shape_.cells[c];
-      if (cell.ball[0] < 0) continue;
       for (int i = 0; i < 4; ++i) {
         const int32_t code = int32_t(4 * c) + i, other = cell.neighbor[i];
         if (other < code) continue; // seen from there, or beyond the far tetrahedron
@@ -86,7 +119,6 @@ private:
     for (std::size_t c = 0; c < shape_.cells.size(); ++c) {
       progress_.tick(2 * shape_.cells.size() + c, 4 * shape_.cells.size());
       const Cell &cell = shape_.cells[c];
-      if (cell.ball[0] < 0) continue;
       for (int i = 0; i < 4; ++i)
         for (int j = i + 1; j < 4; ++j) {
           if (done[c] & kEdgeBit[i][j]) continue;
@@ -126,16 +158,14 @@ private:
   void find_vertices() {
     const std::size_t count = shape_.vertex.size();
     std::vector<uint8_t> hidden(count, 1);
-    for (std::size_t c = 0; c < shape_.cells.size(); ++c)
-      if (shape_.cells[c].ball[0] >= 0)
-        for (int32_t b : shape_.cells[c].ball)
-          if (shape_.real(b)) hidden[b] = 0;
+    for (const Cell &cell : shape_.cells)
+      for (int32_t b : cell.ball)
+        if (shape_.real(b)) hidden[b] = 0;
     for (const DualShape::Edge &e : shape_.edges) shape_.vertex[e.a] = shape_.vertex[e.b] = 1;
     for (std::size_t b = 0; b < count; ++b) hidden[b] |= shape_.vertex[b]; // need no test
     for (std::size_t c = 0; c < shape_.cells.size(); ++c) {
       progress_.tick(3 * shape_.cells.size() + c, 4 * shape_.cells.size());
       const Cell &cell = shape_.cells[c];
-      if (cell.ball[0] < 0) continue;
       for (int32_t a : cell.ball) {
         if (!shape_.real(a) || hidden[a]) continue;
         for (int32_t p : cell.ball)
@@ -161,13 +191,12 @@ DualShape dual_shape(const std::vector<Ball> &balls, double touch, Progress &pro
   for (Ball &b : grown) b.radius = b.radius * (1 + kTouch) + touch;
   DualShape shape;
   shape.vertex.assign(balls.size(), 0);
-  PowerDiagram diagram = power_diagram(grown, 0, progress);
-  shape.cells = std::move(diagram.cells);
+  const PowerDiagram diagram = power_diagram(grown, 0, progress);
   shape.corner = diagram.corner;
   shape.site.reserve(balls.size());
   for (std::size_t b = 0; b < balls.size(); ++b)
     shape.site.push_back(changed_site(grown[b], int32_t(b), false));
-  Search(shape, progress).run();
+  Search(shape, progress).run(diagram.cells);
   return shape;
 }
 
