@@ -66,7 +66,7 @@ private:
     const PatchComplex &c = editor_.complex;
     for (std::size_t d = 0; d < c.darts.size(); ++d)
       if (editor_.alive(int32_t(d)) && reach_[c.patches[c.darts[d].patch].ball] == 0)
-        editor_.fix(editor_.from(int32_t(d)));
+        editor_.points.fix(editor_.from(int32_t(d)));
   }
 
   void contract_short_arcs() {
@@ -80,7 +80,7 @@ private:
       progress_.tick(d, c.darts.size());
       if (!editor_.alive(int32_t(d)) || c.darts[d].twin < int32_t(d)) continue;
       const double l =
-          distance(editor_.at(editor_.from(int32_t(d))), editor_.at(editor_.to(int32_t(d))));
+          distance(editor_.points.at(editor_.from(int32_t(d))), editor_.points.at(editor_.to(int32_t(d))));
       if (l <= reach_at(c.darts[d])) arcs.push_back({l, int32_t(d)});
     }
     std::sort(arcs.begin(), arcs.end(), [](const Short &a, const Short &b) {
@@ -90,8 +90,8 @@ private:
       progress_.tick(1, 1);
       const int32_t u = editor_.from(s.dart), v = editor_.to(s.dart);
       if (!editor_.alive(s.dart) || u == v || is_round(s.dart)) continue;
-      if (editor_.stays(u) && editor_.stays(v)) continue;
-      if (editor_.reach_of(u, v) <= kDrift * reach_at(c.darts[s.dart])) editor_.contract(s.dart);
+      if (editor_.points.stays(u) && editor_.points.stays(v)) continue;
+      if (editor_.points.reach_of(u, v) <= kDrift * reach_at(c.darts[s.dart])) editor_.contract(s.dart);
     }
   }
 
@@ -148,7 +148,7 @@ private:
       do {
         const Dart &d = c.darts[at];
         const PatchComplex::Arc &arc = c.arcs[d.arc];
-        const Vec3 from = editor_.at(editor_.from(at)), to = editor_.at(editor_.to(at));
+        const Vec3 from = editor_.points.at(editor_.from(at)), to = editor_.points.at(editor_.to(at));
         const double half = distance(from, to) / 2;
         pieces_.push_back({at, int32_t(l), int32_t(pieces_.size()) + 1, from, to,
                            half * most_tangent(std::min(arc.to - arc.from, 4.0) / 4)});
@@ -216,18 +216,19 @@ private:
     const PatchComplex::Arc &arc = editor_.complex.arcs[editor_.complex.darts[d].arc];
     const PatchComplex::Circle &circle = editor_.complex.circles[arc.circle];
     const Vec3 w = x - circle.center;
-    const double s = dot(w, circle.v), c = dot(w, circle.u);
+    const Vec3 v = cross(circle.axis, circle.u);
+    const double s = dot(w, v), c = dot(w, circle.u);
     constexpr double kTurn = 2 * 3.14159265358979323846;
     angle = std::atan2(s, c);
     angle += kTurn * std::ceil((arc.from - angle) / kTurn);
     if (angle <= arc.to) {
       const double h = 1 / std::sqrt(std::max(s * s + c * c, 1e-300)); // no need of cosine and sine
-      return editor_.piece_point(d, angle, circle.center + circle.u * (c * h) + circle.v * (s * h));
+      return editor_.piece_point(d, angle, circle.center + circle.u * (c * h) + v * (s * h));
     }
     const bool end = angle - arc.to < arc.from + kTurn - angle;
     angle = end ? arc.to : arc.from;
     const bool head = end == editor_.complex.darts[d].forward;
-    return editor_.at(head ? editor_.to(d) : editor_.from(d));
+    return editor_.points.at(head ? editor_.to(d) : editor_.from(d));
   }
 
   /// The corner across the patch for what is near to become one with, made where there is none; -1
@@ -236,7 +237,7 @@ private:
     const PatchComplex &c = editor_.complex;
     const int32_t here = pieces_[n.corner].dart, u = editor_.from(here);
     const int32_t p = c.darts[here].patch;
-    const Vec3 x = editor_.at(u);
+    const Vec3 x = editor_.points.at(u);
     // Which part of what was the piece.
     int32_t d = -1;
     double angle = 0, gap = reach;
@@ -250,7 +251,7 @@ private:
       d = part;
     }
     if (d < 0) return -1;
-    const Vec3 from = editor_.at(editor_.from(d)), to = editor_.at(editor_.to(d));
+    const Vec3 from = editor_.points.at(editor_.from(d)), to = editor_.points.at(editor_.to(d));
     const double to_from = distance(x, from), to_to = distance(x, to);
     const bool disk = c.patches[p].loops == 1;
     // One of its ends, where that is as near as may be.
@@ -258,9 +259,9 @@ private:
       const int32_t there = to_from <= to_to ? d : c.darts[d].next, v = editor_.from(there);
       if (v == u || (disk && (c.darts[here].next == there || c.darts[there].next == here)))
         return -1;
-      if (editor_.stays(u) && editor_.stays(v)) return -1;
-      if (editor_.reach_of(u, v) > kDrift * reach) return -1;
-      return is_across(p, (x + editor_.at(v)) * 0.5, reach) ? there : -1;
+      if (editor_.points.stays(u) && editor_.points.stays(v)) return -1;
+      if (editor_.points.reach_of(u, v) > kDrift * reach) return -1;
+      return is_across(p, (x + editor_.points.at(v)) * 0.5, reach) ? there : -1;
     }
     if (disk && (c.darts[d].next == here || here == d)) return -1; // the arc before it
     const PatchComplex::Arc &arc = c.arcs[c.darts[d].arc];
@@ -268,7 +269,7 @@ private:
       return -1;
     if (!is_across(p, (x + editor_.piece_point(d, angle)) * 0.5, reach)) return -1;
     const int32_t made = editor_.split(d, angle);
-    if (reach_at(c.darts[d]) == 0) editor_.fix(made);
+    if (reach_at(c.darts[d]) == 0) editor_.points.fix(made);
     parts_[n.piece].push_back(c.darts[d].next);
     return c.darts[d].next;
   }
@@ -301,7 +302,7 @@ private:
   /// Corners with two arcs, which were where a patch ended that is closed.
   void join_arcs() {
     PatchComplex &c = editor_.complex;
-    std::vector<int32_t> arcs(editor_.vertices(), 0);
+    std::vector<int32_t> arcs(editor_.points.size(), 0);
     for (std::size_t d = 0; d < c.darts.size(); ++d)
       if (editor_.alive(int32_t(d))) ++arcs[editor_.from(int32_t(d))];
     std::vector<float> off(c.darts.size(), 0); // how far from a dart corners are that it replaced
@@ -314,7 +315,7 @@ private:
       if (is_short_loop(int32_t(d)) || is_short_loop(t)) continue;
       const int32_t u = editor_.from(before), w = editor_.from(int32_t(d)),
                     v = editor_.to(int32_t(d));
-      if (u == v || editor_.stays(w)) continue;
+      if (u == v || editor_.points.stays(w)) continue;
       const double gap = sag(int32_t(d), before, w);
       const double least = std::min(editor_.shape.site[p.ball].r, editor_.shape.site[q.ball].r);
       const double total = gap + std::max(off[d], off[before]);
@@ -336,8 +337,8 @@ private:
   }
 
   double sag(int32_t d, int32_t before, int32_t w) {
-    const Vec3 a = editor_.at(editor_.from(before)), b = editor_.at(editor_.to(d)),
-               x = editor_.at(w);
+    const Vec3 a = editor_.points.at(editor_.from(before)), b = editor_.points.at(editor_.to(d)),
+               x = editor_.points.at(w);
     const Vec3 along = b - a;
     const double l = dot(along, along);
     const double s = l > 0 ? std::clamp(dot(x - a, along) / l, 0.0, 1.0) : 0;

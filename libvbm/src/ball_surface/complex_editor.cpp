@@ -11,47 +11,15 @@
 
 namespace vbm::impl {
 
-ComplexEditor::ComplexEditor(PatchComplex &c, const DualShape &dual, std::vector<int32_t> sample)
-    : complex(c), shape(dual), place_(c.position.size()), position_(c.position), blur_(c.blur),
-      reach_(c.position.size(), 0), sample_(std::move(sample)), alive_(c.darts.size(), 1),
-      fixed_(c.position.size(), 0) {
-  sample_.resize(position_.size(), -1);
+ComplexEditor::ComplexEditor(PatchComplex &c, const DualShape &dual, MergedPoints vertices)
+    : complex(c), shape(dual), points(std::move(vertices)), alive_(c.darts.size(), 1) {
   list_first_darts();
-}
-
-/// Samples keep their places, and what is fixed, then points where three balls meet.
-int ComplexEditor::rank(int32_t v) const {
-  return stays(v) ? 2 : std::size_t(v) < complex.singular_points ? 1 : 0;
-}
-
-double ComplexEditor::reach_of(int32_t u, int32_t v) const {
-  const bool keep_u = rank(u) != rank(v) ? rank(u) > rank(v) : reach_[u] >= reach_[v];
-  const int32_t kept = keep_u ? u : v, moved = keep_u ? v : u;
-  return std::max(reach_[kept], distance(position_[u], position_[v]) + reach_[moved]);
-}
-
-void ComplexEditor::unite(int32_t u, int32_t v) {
-  const double reach = reach_of(u, v);
-  bool keep_u = u < v;
-  if (rank(u) != rank(v))
-    keep_u = rank(u) > rank(v);
-  else if (reach_[u] != reach_[v])
-    keep_u = reach_[u] > reach_[v];
-  else if (blur_[u] != blur_[v])
-    keep_u = blur_[u] < blur_[v];
-  const int32_t kept = keep_u ? u : v, name = std::min(u, v);
-  place_.unite(u, v);
-  position_[name] = position_[kept];
-  blur_[name] = blur_[kept];
-  sample_[name] = sample_[kept];
-  reach_[name] = reach;
-  fixed_[name] = fixed_[u] | fixed_[v];
 }
 
 bool ComplexEditor::contract(int32_t d) {
   const int32_t u = from(d), v = to(d), twin = complex.darts[d].twin;
   if (u == v) return false;
-  unite(u, v);
+  points.unite(u, v);
   take_out(d);
   take_out(twin);
   look_at(complex.darts[d].patch);
@@ -61,7 +29,7 @@ bool ComplexEditor::contract(int32_t d) {
 
 int32_t ComplexEditor::zip(int32_t d, int32_t e) {
   std::vector<Dart> &darts = complex.darts;
-  unite(from(d), from(e));
+  points.unite(from(d), from(e));
   const int32_t p = darts[d].patch, before_d = darts[d].previous, before_e = darts[e].previous;
   const bool disk = complex.patches[p].loops == 1;
   darts[before_d].next = e;
@@ -200,17 +168,8 @@ Vec3 ComplexEditor::piece_point(int32_t d, double angle, const Vec3 &p) {
   const PatchComplex::Arc &arc = complex.arcs[dart.arc];
   const int32_t begin = dart.forward ? from(d) : to(d), end = dart.forward ? to(d) : from(d);
   const double span = arc.to - arc.from, w = span > 0 ? (angle - arc.from) / span : 0;
-  const Vec3 moved_begin = position_[begin] - arc.begin, moved_end = position_[end] - arc.end;
+  const Vec3 moved_begin = points.at(begin) - arc.begin, moved_end = points.at(end) - arc.end;
   return p + moved_begin * (1 - w) + moved_end * w;
-}
-
-int32_t ComplexEditor::add_vertex(const Vec3 &p) {
-  position_.push_back(p);
-  blur_.push_back(0);
-  reach_.push_back(0);
-  sample_.push_back(-1);
-  fixed_.push_back(0);
-  return place_.add();
 }
 
 /// Two copies of an arc, the part a dart begins with and the rest.
@@ -225,7 +184,7 @@ void ComplexEditor::divide(PatchComplex::Arc &near, PatchComplex::Arc &far, bool
 int32_t ComplexEditor::split(int32_t d, double angle) {
   std::vector<Dart> &darts = complex.darts;
   const int32_t t = darts[d].twin, d2 = int32_t(darts.size()), t2 = d2 + 1;
-  const int32_t m = add_vertex(piece_point(d, angle));
+  const int32_t m = points.add(piece_point(d, angle));
   PatchComplex::Arc near = complex.arcs[darts[d].arc], far = near;
   const double span = near.to - near.from;
   const double part =
@@ -305,7 +264,7 @@ void ComplexEditor::split_double_arcs(Progress &progress) {
     keys.push_back({std::min(u, v), std::max(u, v), int32_t(d)});
   }
   progress.tick_slow(2, 3);
-  sort_edges(keys, vertices(), progress);
+  sort_edges(keys, points.size(), progress);
   const auto halve = [&](int32_t d) {
     const PatchComplex::Arc &arc = complex.arcs[complex.darts[d].arc];
     split(d, (arc.from + arc.to) / 2);
@@ -330,19 +289,19 @@ std::vector<int32_t> ComplexEditor::finish() {
     c.patches[patches++] = c.patches[p];
   }
   c.patches.resize(patches);
-  std::vector<uint8_t> used(position_.size(), 0);
+  std::vector<uint8_t> used(points.size(), 0);
   for (std::size_t d = 0; d < c.darts.size(); ++d)
     if (alive_[d]) {
       dart[d] = int32_t(darts++);
       used[from(int32_t(d))] = 1;
     }
-  std::vector<int32_t> vertex(position_.size(), -1), sample;
+  std::vector<int32_t> vertex(points.size(), -1), sample;
   c.position.clear();
-  for (std::size_t v = 0; v < position_.size(); ++v) {
+  for (std::size_t v = 0; v < points.size(); ++v) {
     if (!used[v]) continue;
     vertex[v] = int32_t(c.position.size());
-    c.position.push_back(position_[v]);
-    sample.push_back(sample_[v]);
+    c.position.push_back(points.at(int32_t(v)));
+    sample.push_back(points.sample(int32_t(v)));
   }
   for (std::size_t d = 0; d < dart.size(); ++d) {
     if (!alive_[d]) continue;
@@ -355,8 +314,6 @@ std::vector<int32_t> ComplexEditor::finish() {
     c.darts[dart[d]] = moved;
   }
   c.darts.resize(darts);
-  c.blur.clear();
-  c.code.clear();
   return sample;
 }
 

@@ -3,7 +3,6 @@
 #pragma once
 
 #include "ball_surface/patch_complex.h"
-#include "core/disjoint_sets.h"
 
 #include <cstdint>
 #include <vector>
@@ -19,24 +18,13 @@ class ComplexEditor {
 public:
   using Dart = PatchComplex::Dart;
 
-  /// `sample` of each vertex, or -1: those keep their places.
-  ComplexEditor(PatchComplex &complex, const DualShape &shape, std::vector<int32_t> sample);
+  /// `points` are the complex's vertices.
+  ComplexEditor(PatchComplex &complex, const DualShape &shape, MergedPoints points);
 
-  std::size_t vertices() const { return position_.size(); }
   bool alive(int32_t d) const { return alive_[d] != 0; }
   /// The vertex a dart begins at, of all that became one.
-  int32_t from(int32_t d) { return place_.find(complex.darts[d].from); }
+  int32_t from(int32_t d) { return points.find(complex.darts[d].from); }
   int32_t to(int32_t d) { return from(complex.darts[d].twin); }
-  const Vec3 &at(int32_t vertex) const { return position_[vertex]; }
-  int32_t sample(int32_t vertex) const { return sample_[vertex]; }
-
-  /// This vertex keeps its place from here on; what becomes one with it comes there.
-  void fix(int32_t vertex) { fixed_[vertex] = 1; }
-  bool stays(int32_t vertex) const { return sample_[vertex] >= 0 || fixed_[vertex] != 0; }
-  /// How far from its place the farthest of the points is that became this vertex.
-  double moved(int32_t vertex) const { return reach_[vertex]; }
-  /// How far from its place the farthest of two vertices that become one would be.
-  double reach_of(int32_t u, int32_t v) const;
 
   /// Contracts a dart and its twin; false where it ends where it begins.
   bool contract(int32_t d);
@@ -69,23 +57,17 @@ public:
 
   PatchComplex &complex;
   const DualShape &shape;
+  MergedPoints points;
 
 private:
-  int rank(int32_t v) const;
-  void unite(int32_t u, int32_t v);
   void take_out(int32_t d);
   void list_first_darts();
   void fill_loop(int32_t patch);
   void trim(int32_t d);
   void close_mouth(int32_t patch, double bulge);
-  int32_t add_vertex(const Vec3 &p);
   void divide(PatchComplex::Arc &near, PatchComplex::Arc &far, bool forward, double angle) const;
 
-  DisjointSets place_;         // vertices that became one
-  std::vector<Vec3> position_; // by vertex, valid for those that name their sets
-  std::vector<double> blur_, reach_;
-  std::vector<int32_t> sample_;
-  std::vector<uint8_t> alive_, fixed_;
+  std::vector<uint8_t> alive_;
   std::vector<int32_t> first_, work_; // per patch one of its darts; patches to look at
 };
 

@@ -151,7 +151,7 @@ private:
     corner_.clear();
     int32_t at = first;
     do {
-      corner_.push_back(unit(editor_.at(editor_.from(at)) - center));
+      corner_.push_back(unit(editor_.points.at(editor_.from(at)) - center));
       at = c.darts[at].next;
     } while (at != first);
     const std::size_t n = corner_.size();
@@ -280,8 +280,8 @@ private:
     for (int32_t d : darts_[b]) {
       Chord chord;
       chord.dart = d;
-      chord.from = unit(editor_.at(editor_.from(d)) - c);
-      chord.to = unit(editor_.at(editor_.to(d)) - c);
+      chord.from = unit(editor_.points.at(editor_.from(d)) - c);
+      chord.to = unit(editor_.points.at(editor_.to(d)) - c);
       chord.middle = (chord.from + chord.to) * 0.5;
       chord.half = distance(chord.from, chord.to) / 2;
       chord.low = chord.middle.x - chord.half;
@@ -293,7 +293,7 @@ private:
   }
 
   double moved(int32_t d) {
-    return std::max(editor_.moved(editor_.from(d)), editor_.moved(editor_.to(d)));
+    return std::max(editor_.points.moved(editor_.from(d)), editor_.points.moved(editor_.to(d)));
   }
 
   double sagitta(int32_t d) const {

@@ -43,35 +43,106 @@ int32_t TouchedSamples::common(const DualShape &shape, int32_t code) const {
   return -1;
 }
 
-std::vector<int32_t> TouchedSamples::of(const PatchComplex &complex, const DualShape &shape,
+std::vector<int32_t> TouchedSamples::of(const BoundaryMap &map, const DualShape &shape,
                                         Progress &progress) const {
-  std::vector<int32_t> sample(complex.position.size(), -1);
+  std::vector<int32_t> sample(map.position.size(), -1);
   if (!lists) return sample;
-  for (std::size_t v = 0; v < complex.singular_points; ++v) {
-    progress.tick(v, complex.singular_points);
-    sample[v] = common(shape, complex.code[v]);
+  for (std::size_t v = 0; v < sample.size(); ++v) {
+    progress.tick(v, sample.size());
+    sample[v] = common(shape, map.code[v]);
   }
   return sample;
 }
 
-std::size_t merge_points(ComplexEditor &editor, const std::vector<int32_t> &sample,
-                         const PatchOptions &options, Progress &progress) {
-  const PatchComplex &c = editor.complex;
-  std::size_t merged = 0;
-  // Whether an arc is nothing but two names for its place.
-  const auto is_null = [&](const PatchComplex::Dart &d) {
-    const int32_t u = d.from, v = c.darts[d.twin].from;
-    if (std::size_t(u) >= c.singular_points || std::size_t(v) >= c.singular_points) return false;
-    if (sample[u] >= 0 && sample[v] >= 0) return sample[u] == sample[v];
-    return distance(c.position[u], c.position[v]) <= c.blur[u] + c.blur[v];
-  };
-  for (std::size_t d = 0; d < c.darts.size(); d += 2) {
-    progress.tick(d, c.darts.size());
-    if (is_null(c.darts[d])) merged += editor.contract(int32_t(d));
+namespace {
+
+/// Radians: an arc with little between its ends may go all the way round.
+constexpr double kRound = 2;
+
+/// Times what is narrow: how far from its place any point may come to be.
+constexpr double kDrift = 2;
+
+class Contraction {
+public:
+  Contraction(const BoundaryMap &map, const DualShape &shape, MergedPoints &points,
+              Progress &progress)
+      : map_(map), shape_(shape), points_(points), progress_(progress) {
+    out_.contracted.assign(map.spans.size(), 0);
   }
-  for (std::size_t p = 0; p < c.patches.size(); ++p) editor.look_at(int32_t(p));
-  editor.close(options.bulge, progress);
-  return merged;
+
+  /// Arcs that are nothing but two names for their place.
+  void null_arcs() {
+    for (std::size_t s = 0; s < map_.spans.size(); ++s) {
+      progress_.tick(s, map_.spans.size());
+      const int32_t u = map_.from[2 * s], v = map_.from[2 * s + 1];
+      if (u >= 0 && map_.spans[s].angle < kRound && is_null(u, v)) out_.merged += contract(s, u, v);
+    }
+  }
+
+  /// Arcs that are no longer than what is narrow at both their balls, the shortest first.
+  void short_arcs(const std::vector<double> &reach) {
+    for (std::size_t side = 0; side < map_.from.size(); ++side)
+      if (map_.from[side] >= 0 && reach[map_.ball_of(shape_, int32_t(side))] == 0)
+        points_.fix(points_.find(map_.from[side]));
+    struct Short {
+      double length, reach;
+      uint32_t span;
+    };
+    std::vector<Short> arcs;
+    for (std::size_t s = 0; s < map_.spans.size(); ++s) {
+      progress_.tick(s, map_.spans.size());
+      if (out_.contracted[s] || map_.from[2 * s] < 0 || map_.spans[s].angle > kRound) continue;
+      const DualShape::Edge &edge = shape_.edges[map_.spans[s].edge];
+      const double most = std::min(reach[edge.a], reach[edge.b]);
+      const double l = distance(points_.at(points_.find(map_.from[2 * s])),
+                                points_.at(points_.find(map_.from[2 * s + 1])));
+      if (l <= most) arcs.push_back({l, most, uint32_t(s)});
+    }
+    std::sort(arcs.begin(), arcs.end(), [](const Short &a, const Short &b) {
+      return a.length != b.length ? a.length < b.length : a.span < b.span;
+    });
+    for (const Short &a : arcs) {
+      progress_.tick(1, 1);
+      const int32_t u = points_.find(map_.from[2 * a.span]),
+                    v = points_.find(map_.from[2 * a.span + 1]);
+      if (u == v || (points_.stays(u) && points_.stays(v))) continue;
+      if (points_.reach_of(u, v) <= kDrift * a.reach) contract(a.span, u, v);
+    }
+  }
+
+  ContractedArcs take() { return std::move(out_); }
+
+private:
+  bool is_null(int32_t u, int32_t v) {
+    const int32_t p = points_.sample(points_.find(u)), q = points_.sample(points_.find(v));
+    if (p >= 0 && q >= 0) return p == q;
+    return distance(map_.position[u], map_.position[v]) <= map_.blur[u] + map_.blur[v];
+  }
+
+  bool contract(std::size_t s, int32_t u, int32_t v) {
+    u = points_.find(u), v = points_.find(v);
+    if (u == v) return false;
+    points_.unite(u, v);
+    out_.contracted[s] = 1;
+    return true;
+  }
+
+  const BoundaryMap &map_;
+  const DualShape &shape_;
+  MergedPoints &points_;
+  Progress &progress_;
+  ContractedArcs out_;
+};
+
+} // namespace
+
+ContractedArcs contract_arcs(const BoundaryMap &map, const DualShape &shape,
+                             const std::vector<double> &reach, MergedPoints &points,
+                             Progress &progress) {
+  Contraction contraction(map, shape, points, progress);
+  contraction.null_arcs();
+  if (!reach.empty()) contraction.short_arcs(reach);
+  return contraction.take();
 }
 
 } // namespace vbm::impl

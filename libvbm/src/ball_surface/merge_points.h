@@ -2,7 +2,8 @@
 // Singular points at one place made one, the surface unchanged.
 #pragma once
 
-#include "ball_surface/complex_editor.h"
+#include "ball_surface/boundary_map.h"
+#include "ball_surface/merged_points.h"
 #include "core/model.h"
 
 #include <cstdint>
@@ -21,14 +22,21 @@ struct TouchedSamples {
   /// The first of three balls' common samples on a side of their centres' plane, -1 if there is
   /// none.
   int32_t common(const DualShape &shape, int32_t code) const;
-  /// That of each of a complex's vertices.
-  std::vector<int32_t> of(const PatchComplex &complex, const DualShape &shape,
+  /// That of each of a map's points.
+  std::vector<int32_t> of(const BoundaryMap &map, const DualShape &shape,
                           Progress &progress) const;
 };
 
-/// Contracts arcs of no length, and closes patches that are left with one or two arcs. Returns how
-/// many singular points went. `sample` is that of each vertex as it was at first.
-std::size_t merge_points(ComplexEditor &editor, const std::vector<int32_t> &sample,
-                         const PatchOptions &options, Progress &progress);
+struct ContractedArcs {
+  std::vector<uint8_t> contracted; // by span
+  std::size_t merged = 0;          // singular points that went as they were the same as others
+};
+
+/// Contracts arcs of no length, and those that are no longer than `reach` of their balls, unless
+/// that is empty: a ball's 0 keeps its points where they are. No arc is contracted whose ends are
+/// one already, so that no loop of them ever is.
+ContractedArcs contract_arcs(const BoundaryMap &map, const DualShape &shape,
+                             const std::vector<double> &reach, MergedPoints &points,
+                             Progress &progress);
 
 } // namespace vbm::impl

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The boundary of a union of balls as a complex: patches of spheres, arcs between two, singular
-// points between three.
+// The boundary of a union of balls as a complex: patches of spheres, and the pieces of the arcs
+// round them.
 #pragma once
 
-#include "dual/dual_shape.h"
+#include "ball_surface/boundary_map.h"
+#include "ball_surface/merged_points.h"
 
 #include <cmath>
 #include <cstdint>
@@ -22,8 +23,8 @@ struct PatchOptions {
   bool bridged = false; // the dual shape is that of larger balls than `balls`
 };
 
-/// A closed surface whatever the balls are: every arc has two sides, every singular point three
-/// arcs. Long arcs and whole circles are cut into pieces.
+/// A closed surface whatever the balls are: every arc has two sides. Long arcs and whole circles
+/// are cut into pieces.
 struct PatchComplex {
   /// One side of a piece of an arc; the patch is on its left, seen from outside.
   struct Dart {
@@ -33,13 +34,11 @@ struct PatchComplex {
     int32_t arc;
     bool forward; // the way the arc runs
   };
-  /// What two spheres have in common: center + u cos + v sin of an angle, counter-clockwise about
-  /// the edge a to b.
+  /// What two spheres have in common: center + u cos + (axis x u) sin of an angle, counter-clockwise
+  /// about the edge a to b.
   struct Circle {
     uint32_t edge;
-    uint32_t turn; // angle 0 is in the direction of its ball; edge.end for whole circles
-    Vec3 center, u, v, axis;
-    double height_a, height_b; // of its plane over a's and b's centres, along a to b and b to a
+    Vec3 center, u, axis;
   };
   /// A piece of it: from angle `from` to `to`, and where it ends.
   struct Arc {
@@ -51,30 +50,22 @@ struct PatchComplex {
     int32_t ball;
     int32_t loops; // of darts round it: 1 for a disk, 0 for a whole sphere
     int32_t darts; // in all its loops
-    bool wraps;    // its solid angle is more than kWraps, whatever its loop looks like
+    bool wraps;    // see BoundaryMap
   };
 
   std::vector<Vec3> position; // of vertices, unit frame
-  std::vector<double> blur;   // how far the balls' changed radii may have moved it
-  std::vector<int32_t> code;  // of singular points: 2 * triangle + side
   std::vector<Dart> darts;
   std::vector<Circle> circles;
   std::vector<Arc> arcs;
   std::vector<Patch> patches;
-  std::vector<double> bare; // of every ball: the solid angle of its patches
-  double finer = 0;         // wide balls are finer than `bulge`: see find_fineness()
-  static constexpr double kMostFiner = 4;
-  std::size_t offset_points = 0;   // where three balls do not meet (8.3.5)
-  std::size_t singular_points = 0; // vertices 0 .. singular_points - 1; others are within arcs
+  std::vector<double> bare; // see BoundaryMap
+  double finer = 0;
 
-  /// Whether a ball is bare by so much that a polygon, or a few, would not be like it.
-  bool wide(int32_t ball) const { return bare[ball] > kWide; }
-  static constexpr double kWide = 0.5; // steradians
-
+  bool wide(int32_t ball) const { return bare[ball] > BoundaryMap::kWide; }
   int32_t to(const Dart &d) const { return darts[d.twin].from; }
   const Circle &circle(const Dart &d) const { return circles[arcs[d.arc].circle]; }
   static Vec3 point(const Circle &c, double angle) {
-    return c.center + c.u * std::cos(angle) + c.v * std::sin(angle);
+    return c.center + c.u * std::cos(angle) + cross(c.axis, c.u) * std::sin(angle);
   }
 };
 
@@ -84,12 +75,11 @@ inline double bulge_of(const PatchComplex &complex, const PatchOptions &options,
   return options.bulge / (1 + complex.finer * std::min(1.0, options.bulge / kMostNarrow));
 }
 
-/// The complex of a dual shape. `balls` are those whose spheres vertices lie on: the shape's own,
-/// or smaller ones.
-PatchComplex patch_complex(const DualShape &shape, const std::vector<Ball> &balls,
-                           const PatchOptions &options, Progress &progress);
-
-/// Steradians.
-inline constexpr double kWraps = 3.14;
+/// The complex of a map without the arcs that were contracted, which are given by span; no loop of
+/// its may be all gone. Vertices are `points`, not merged yet, and those within arcs, which are
+/// added there.
+PatchComplex patch_complex(const BoundaryMap &map, const DualShape &shape,
+                           const std::vector<uint8_t> &contracted, const PatchOptions &options,
+                           MergedPoints &points, Progress &progress);
 
 } // namespace vbm::impl

@@ -39,22 +39,23 @@ constexpr double kFiner = 0.25;
 /// What balls, shape and complex say, and the points merged.
 struct Merged {
   DualShape shape;
+  BoundaryMap map;
   PatchComplex complex;
   std::vector<int32_t> sample;
   bool closed = false; // whether points may have been moved
-  std::size_t singular = 0, merged = 0, offset = 0;
+  std::size_t merged = 0;
 };
 
 /// What is narrow at each ball, in unit lengths; empty where nothing is to be closed. Of a union of
 /// wide balls every patch is a part of its shape, and its faces are many anyway.
 std::vector<double> reaches(const Merged &m, const PatchOptions &options,
                             const std::vector<uint8_t> &keep) {
-  const double narrow = options.narrow * (1 - m.complex.finer / PatchComplex::kMostFiner);
+  const double narrow = options.narrow * (1 - m.map.finer / BoundaryMap::kMostFiner);
   if (!(narrow > 0)) return {};
-  std::vector<double> reach = spacings(m.complex, m.shape);
+  std::vector<double> reach = spacings(m.map, m.shape);
   const double most = std::min(options.bulge, kMostNarrow);
   for (std::size_t b = 0; b < reach.size(); ++b) {
-    const bool closes = m.complex.bare[b] < kMostBare && (keep.empty() || !keep[b]);
+    const bool closes = m.map.bare[b] < kMostBare && (keep.empty() || !keep[b]);
     reach[b] = closes ? std::min(narrow * reach[b], most * m.shape.site[b].r) : 0;
   }
   return reach;
@@ -72,22 +73,24 @@ void find_shape(Merged &m, const UnionInput &set, const PatchOptions &options, d
     m.shape = dual_shape(set.balls, set.touch, progress);
   }
   progress.stage("singular points", 0.8);
+  m.map = boundary_map(m.shape, set.balls, options.bridged, progress);
 }
 
 /// And the rest. At balls to be kept, where there are any, nothing is closed.
 void merge_complex(Merged &m, const UnionInput &set, const PatchOptions &options,
                    const std::vector<uint8_t> &keep, Progress &progress) {
-  m.complex = patch_complex(m.shape, set.balls, options, progress);
-  m.singular = m.complex.singular_points;
-  m.offset = m.complex.offset_points;
   TouchedSamples touched;
   if (set.model && !options.bridged)
     touched = {&set.model->ball_samples, &set.number, &set.model->samples.position};
-  const std::vector<int32_t> sample = touched.of(m.complex, m.shape, progress);
+  MergedPoints points(m.map.position, m.map.blur, touched.of(m.map, m.shape, progress));
   const std::vector<double> reach = reaches(m, options, keep);
   m.closed = !reach.empty();
-  ComplexEditor editor(m.complex, m.shape, sample);
-  m.merged = merge_points(editor, sample, options, progress);
+  const ContractedArcs gone = contract_arcs(m.map, m.shape, reach, points, progress);
+  m.merged = gone.merged;
+  m.complex = patch_complex(m.map, m.shape, gone.contracted, options, points, progress);
+  ComplexEditor editor(m.complex, m.shape, std::move(points));
+  for (std::size_t p = 0; p < m.complex.patches.size(); ++p) editor.look_at(int32_t(p));
+  editor.close(options.bulge, progress);
   if (m.closed) close_narrow(editor, reach, options.bulge, progress);
   refine_arcs(editor, options, progress);
   editor.split_double_arcs(progress);
@@ -230,10 +233,10 @@ Surface singular_point_surface(const UnionInput &set, const vbm_ball_surface_opt
   report.split_vertices = count_doubles(surface.vertices, progress);
   report.hidden_balls = set.points;
   for (uint8_t in : m.shape.vertex) report.hidden_balls += !in;
-  report.singular_points = m.singular;
+  report.singular_points = m.map.position.size();
   report.merged_points = m.merged;
-  report.offset_points = m.offset;
-  report.added_points = mesh.position.size() - std::min(before, m.singular - m.merged);
+  report.offset_points = m.map.offset_points;
+  report.added_points = mesh.position.size() - std::min(before, m.map.position.size() - m.merged);
   surface.triangles = std::move(triangles.corners);
   surface.triangle_polygon = std::move(triangles.polygon);
   surface.polygons = std::move(mesh.polygons);

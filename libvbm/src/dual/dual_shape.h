@@ -24,11 +24,12 @@ struct DualShape {
   };
   /// A triangle met when turning about an edge.
   struct Turn {
-    int32_t triangle;
-    int32_t ball;    // the one that is not the edge's
-    int32_t cell;    // the tetrahedron behind the triangle
-    uint8_t side;    // of the triangle, on which that is
-    uint8_t outside; // whether what is behind, up to the next turn, is not in the shape
+    uint32_t code; // 4 * triangle + 2 * side + outside
+    int32_t triangle() const { return int32_t(code >> 2); }
+    /// Of the triangle, on which what is behind it is.
+    int side() const { return int(code >> 1 & 1); }
+    /// Whether what is behind, up to the next turn, is not in the shape.
+    bool outside() const { return code & 1; }
   };
   /// Its turns are turns[begin] to turns[end - 1], counter-clockwise seen along the edge backwards
   /// (by the right hand about a to b).
@@ -47,6 +48,17 @@ struct DualShape {
   std::vector<Triangle> triangles;
   std::vector<Edge> edges;
   std::vector<Turn> turns;
+
+  /// The one of a turn's triangle that is not the edge's.
+  int32_t ball_of(const Edge &e, uint32_t turn) const {
+    const std::array<int32_t, 3> &b = triangles[turns[turn].triangle()].ball;
+    return b[0] ^ b[1] ^ b[2] ^ e.a ^ e.b;
+  }
+  /// The tetrahedron behind it.
+  int32_t cell_of(uint32_t turn) const {
+    const int32_t code = triangles[turns[turn].triangle()].code;
+    return turns[turn].side() ? cells[code >> 2].neighbor[code & 3] >> 2 : code >> 2;
+  }
 
   bool real(int32_t ball) const { return std::size_t(ball) < vertex.size(); } // no far corner
   Vec3 position(int32_t ball) const {

@@ -31,10 +31,10 @@ double facet_angle(const Axis3 &axis, const Vec3 &from, const Vec3 &to) {
 double outside_angle(const DualShape &shape, const DualShape::Edge &edge, const Axis3 &axis,
                      uint32_t turn) {
   if (edge.begin + 1 == edge.end) return 2 * kPi;
-  const int32_t last = shape.turns[next_turn(edge, turn)].cell;
+  const int32_t last = shape.cell_of(next_turn(edge, turn));
   const Vec3 a = shape.position(edge.a);
   double sum = 0;
-  int32_t at = shape.turns[turn].cell;
+  int32_t at = shape.cell_of(turn);
   do {
     const PowerDiagram::Cell &cell = shape.cells[at];
     const int i = index_of(cell, edge.a), j = index_of(cell, edge.b), k = kTurn[i][j],

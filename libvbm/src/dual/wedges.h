@@ -18,6 +18,13 @@ struct Axis3 {
   Vec3 perpendicular(const Vec3 &v) const { return v - direction * dot(direction, v); }
 };
 
+/// From the axis of an edge towards the ball of one of its turns; unit.
+inline Vec3 turn_direction(const DualShape &shape, const DualShape::Edge &edge, const Axis3 &axis,
+                           uint32_t turn) {
+  return unit(
+      axis.perpendicular(shape.position(shape.ball_of(edge, turn)) - shape.position(edge.a)));
+}
+
 /// Angle between a tetrahedron's facets at an edge, 0 to pi: never negative, as tetrahedra of the
 /// diagram have a volume. `from` and `to` are the facets' directions from the edge,
 /// counter-clockwise.

@@ -137,15 +137,15 @@ private:
         const uint32_t next = next_turn(e, t);
         double from_height, to_height;
         const Vec3 from = facet(axis, e, t, from_height), to = facet(axis, e, next, to_height);
-        const int32_t f = shape_.turns[t].triangle, g = shape_.turns[next].triangle;
-        if (shape_.turns[t].outside) {
+        const int32_t f = shape_.turns[t].triangle(), g = shape_.turns[next].triangle();
+        if (shape_.turns[t].outside()) {
           const double wedge = outside_angle(shape_, e, axis, t);
           open += wedge;
           arc += wedge - std::atan2(chord_[f], from_height) - std::atan2(chord_[g], to_height);
           disc += from_height * chord_[f] + to_height * chord_[g];
         } else {
           // The kite between the circle's centre, two facets and the tetrahedron's power centre.
-          const Vec3 x = power_center_[shape_.turns[t].cell] - axis.center;
+          const Vec3 x = power_center_[shape_.cell_of(t)] - axis.center;
           disc += from_height * dot(x, cross(axis.direction, from)) -
                   to_height * dot(x, cross(axis.direction, to));
         }
@@ -160,9 +160,8 @@ private:
 
   /// The direction of a facet from the edge, and how far in that direction its orthocentre is.
   Vec3 facet(const Axis3 &axis, const DualShape::Edge &e, uint32_t turn, double &height) const {
-    const DualShape::Turn &t = shape_.turns[turn];
-    const Vec3 direction = unit(axis.perpendicular(center(t.ball) - center(e.a)));
-    height = dot(center_[t.triangle] - axis.center, direction);
+    const Vec3 direction = unit(axis.perpendicular(center(shape_.ball_of(e, turn)) - center(e.a)));
+    height = dot(center_[shape_.turns[turn].triangle()] - axis.center, direction);
     return direction;
   }
 

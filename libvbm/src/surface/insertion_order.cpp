@@ -13,10 +13,9 @@
 namespace vbm::impl {
 namespace {
 
-constexpr int kBits = 19;       // of each coordinate in the key
-constexpr int kRounds = 16;     // the key's bits above that
-constexpr int kBucketBits = 12; // of the curve's bits, to sort by first
-constexpr int kBucketShift = 3 * kBits - kBucketBits;
+constexpr int kBits = 19;           // of each coordinate in the key
+constexpr int kRounds = 16;         // the key's bits above that
+constexpr int kMostBucketBits = 12; // of the curve's bits, to sort by first
 
 /// Index along a Hilbert curve of 2^(3 bits) cells: Skilling, "Programming the Hilbert curve"
 /// (2004).
@@ -65,7 +64,11 @@ std::vector<int32_t> insertion_order(const std::vector<Vec3> &points, Progress &
     int32_t point;
   };
   std::vector<Key> key(points.size()), sorted(points.size());
-  std::vector<uint32_t> first((std::size_t(kRounds) << kBucketBits) + 1, 0);
+  // Buckets of some ten points in the last round.
+  int bucket_bits = 0;
+  while (bucket_bits < kMostBucketBits && points.size() >> (bucket_bits + 4)) ++bucket_bits;
+  const int bucket_shift = 3 * kBits - bucket_bits;
+  std::vector<uint32_t> first((std::size_t(kRounds) << bucket_bits) + 1, 0);
   for (std::size_t i = 0; i < points.size(); ++i) {
     progress.tick(i, points.size());
     uint32_t cell[3];
@@ -73,13 +76,13 @@ std::vector<int32_t> insertion_order(const std::vector<Vec3> &points, Progress &
     uint64_t round = kRounds - 1;
     for (uint64_t h = hash_index(i); (h & 7) == 0 && round > 0; h >>= 3) --round;
     key[i] = {round << (3 * kBits) | hilbert_index(cell), int32_t(i)};
-    ++first[(key[i].place >> kBucketShift) + 1];
+    ++first[(key[i].place >> bucket_shift) + 1];
   }
   progress.tick_slow(1, 1);
   // Pieces of the curve, then each piece.
   for (std::size_t b = 1; b < first.size(); ++b) first[b] += first[b - 1];
   std::vector<uint32_t> next(first.begin(), first.end() - 1);
-  for (const Key &k : key) sorted[next[k.place >> kBucketShift]++] = k;
+  for (const Key &k : key) sorted[next[k.place >> bucket_shift]++] = k;
   for (std::size_t b = 0; b + 1 < first.size(); ++b) {
     progress.tick(b, first.size());
     std::sort(sorted.begin() + first[b], sorted.begin() + first[b + 1],

@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Where the thesis takes a vertex of the hull to have one polygon (8.3.4), every component of its
+// sphere outside the other balls is a patch of its own, with as many loops of arcs as there are
+// components of the shape round it; those are found by searching the tetrahedra outside the shape
+// at the vertex.
+#include "ball_surface/boundary_map.h"
+
+#include "ball_surface/patch_area.h"
+#include "core/progress.h"
+#include "dual/orthospheres.h"
+#include "dual/wedges.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace vbm::impl {
+namespace {
+
+constexpr double kPi = 3.14159265358979323846;
+
+/// Radians: an arc of more than that is not like its chord.
+constexpr double kLongArc = 1;
+
+class Patching {
+public:
+  Patching(BoundaryMap &map, const DualShape &shape, Progress &progress)
+      : map_(map), shape_(shape), progress_(progress) {}
+
+  void run() {
+    const std::size_t sides = map_.next.size();
+    std::vector<int32_t> loops(shape_.vertex.size(), 0);
+    map_.patch_of.assign(sides, -1);
+    for (std::size_t s = 0; s < sides; ++s) {
+      progress_.tick(3 * sides + s, 4 * sides);
+      if (map_.patch_of[s] >= 0) continue;
+      const int32_t ball = map_.ball_of(shape_, int32_t(s)), patch = int32_t(map_.patches.size());
+      for (int32_t at = int32_t(s); map_.patch_of[at] < 0; at = map_.next[at])
+        map_.patch_of[at] = patch;
+      map_.patches.push_back({ball, 1, false});
+      first_.push_back(int32_t(s));
+      map_.bare[ball] += 2 * kPi;
+      ++loops[ball];
+    }
+    join_split_links(loops);
+    for (std::size_t p = 0; p < map_.patches.size(); ++p)
+      if (map_.patches[p].loops == 1) map_.patches[p].wraps = wraps(first_[p]);
+    drop_joined();
+    std::vector<uint8_t> has_edge(shape_.vertex.size(), 0);
+    for (const DualShape::Edge &e : shape_.edges) has_edge[e.a] = has_edge[e.b] = 1;
+    for (std::size_t b = 0; b < has_edge.size(); ++b)
+      if (shape_.vertex[b] && !has_edge[b]) {
+        map_.patches.push_back({int32_t(b), 0, true});
+        map_.bare[b] = 4 * kPi;
+      }
+  }
+
+private:
+  /// Balls round which the shape is not connected: only these can have patches of several loops.
+  /// Round a ball that is not hidden, a thickened shape has as many borders, which are the loops,
+  /// as it has components and, together, independent cycles; and the difference of these is its
+  /// Euler characteristic.
+  void join_split_links(const std::vector<int32_t> &loops) {
+    std::vector<int32_t> sum(loops);
+    for (const DualShape::Edge &e : shape_.edges) ++sum[e.a], ++sum[e.b];
+    for (const DualShape::Triangle &t : shape_.triangles)
+      for (int32_t b : t.ball) --sum[b];
+    for (std::size_t c = 0; c < shape_.cells.size(); ++c)
+      if (shape_.cell_in[c])
+        for (int32_t b : shape_.cells[c].ball) ++sum[b];
+    std::vector<std::vector<int32_t>> loops_of;
+    std::vector<int32_t> number(sum.size(), -1);
+    for (std::size_t p = 0; p < map_.patches.size(); ++p) {
+      const int32_t b = map_.patches[p].ball;
+      if (sum[b] <= 2 || loops[b] < 2) continue;
+      if (number[b] < 0) {
+        number[b] = int32_t(loops_of.size());
+        loops_of.emplace_back();
+      }
+      loops_of[number[b]].push_back(first_[p]);
+    }
+    for (const std::vector<int32_t> &l : loops_of) {
+      progress_.tick(1, 1);
+      join_loops(l);
+    }
+  }
+
+  /// Loops of one ball that are of one patch: between them there are only tetrahedra outside.
+  void join_loops(const std::vector<int32_t> &loops) {
+    const int32_t ball = map_.ball_of(shape_, loops[0]);
+    mark_.resize(shape_.cells.size(), -1);
+    std::vector<int32_t> stack, seen;
+    for (int32_t loop : loops) {
+      const BoundaryMap::Span &span = map_.spans[loop / 2];
+      const DualShape::Edge &edge = shape_.edges[span.edge];
+      const int32_t cell = span.turn == edge.end ? edge.cell : shape_.cell_of(span.turn);
+      const int32_t patch = map_.patch_of[loop];
+      if (mark_[cell] >= 0) {
+        join(loop, mark_[cell]);
+        continue;
+      }
+      stack.assign(1, cell);
+      mark_[cell] = patch;
+      seen.push_back(cell);
+      while (!stack.empty()) {
+        const int32_t at = stack.back();
+        stack.pop_back();
+        const PowerDiagram::Cell &c = shape_.cells[at];
+        for (int k = 0; k < 4; ++k) {
+          if (c.ball[k] == ball || (shape_.facet_in[at] >> k & 1)) continue;
+          const int32_t there = c.neighbor[k] >> 2;
+          if (mark_[there] >= 0) continue;
+          mark_[there] = patch;
+          seen.push_back(there);
+          stack.push_back(there);
+        }
+      }
+    }
+    for (int32_t cell : seen) mark_[cell] = -1;
+  }
+
+  void join(int32_t loop, int32_t patch) {
+    BoundaryMap::Patch &gone = map_.patches[map_.patch_of[loop]], &kept = map_.patches[patch];
+    map_.bare[kept.ball] -= 4 * kPi;
+    ++kept.loops;
+    gone.loops = -1;
+    for (int32_t at = loop; map_.patch_of[at] != patch; at = map_.next[at])
+      map_.patch_of[at] = patch;
+  }
+
+  /// A loop that turns the wrong way is that of a large patch, or of one that is thinner than
+  /// rounding.
+  bool wraps(int32_t first) const {
+    const Site &ball = shape_.site[map_.ball_of(shape_, first)];
+    if (map_.from[first] < 0) { // a whole circle
+      const DualShape::Edge &edge = shape_.edges[map_.spans[first / 2].edge];
+      const Axis3 axis(shape_.site[edge.a], shape_.site[edge.b]);
+      return (first & 1 ? axis.height_b : axis.height_a) >= 0;
+    }
+    const Vec3 c = center_of(ball), origin = map_.position[map_.from[first]];
+    Vec3 normal, sum = origin - c;
+    bool is_long = map_.spans[first / 2].angle > kLongArc;
+    for (int32_t at = map_.next[first]; at != first; at = map_.next[at]) {
+      const Vec3 &p = map_.position[map_.from[at]], &q = map_.position[map_.from[map_.next[at]]];
+      normal += cross(p - origin, q - origin);
+      sum += p - c;
+      is_long |= map_.spans[at / 2].angle > kLongArc;
+    }
+    if (!is_long && dot(normal, sum) > 0) return false;
+    return loop_angle(map_, shape_, first) > kWraps;
+  }
+
+  void drop_joined() {
+    std::vector<int32_t> number(map_.patches.size());
+    std::size_t kept = 0;
+    for (std::size_t p = 0; p < map_.patches.size(); ++p) {
+      number[p] = int32_t(kept);
+      if (map_.patches[p].loops > 0) map_.patches[kept++] = map_.patches[p];
+    }
+    if (kept == map_.patches.size()) return;
+    map_.patches.resize(kept);
+    for (int32_t &p : map_.patch_of) p = number[p];
+  }
+
+  BoundaryMap &map_;
+  const DualShape &shape_;
+  Progress &progress_;
+  std::vector<int32_t> first_; // of each patch, of each of its loops before they are joined: a side
+  std::vector<int32_t> mark_;  // per cell: the patch that is searched from
+};
+
+} // namespace
+
+void find_patches(BoundaryMap &map, const DualShape &shape, Progress &progress) {
+  Patching(map, shape, progress).run();
+}
+
+} // namespace vbm::impl
