@@ -27,7 +27,7 @@ run cmake --build "$dir/consumer"
 echo "library: $("$dir/consumer/consumer")"
 
 wheel=$(one '*.whl')
-run python3 -m venv --system-site-packages "$dir/env"
+run /usr/bin/python3 -m venv --system-site-packages "$dir/env"
 run "$dir/env/bin/pip" install --no-index --no-deps "$wheel"
 "$dir/env/bin/python" -c '
 import sys, numpy, vbm
@@ -45,7 +45,7 @@ cp -R "$dir"/plugin/*/lib/* "$dir/usr/lib/"
 plugins=$(find "$dir/usr/lib" -type d -name plugins)
 for other in /usr/lib/"${plugins#"$dir/usr/lib/"}"/../*.so*; do ln -s "$(realpath "$other")" "$plugins/../$(basename "$other")" 2>/dev/null || true; done
 for module in "$plugins"/*.so; do
-  python3 - "$module" <<'PYTHON'
+  /usr/bin/python3 - "$module" <<'PYTHON'
 import ctypes, os, sys
 library = ctypes.CDLL(sys.argv[1], os.RTLD_NOW)  # every symbol is found
 library.qt_plugin_instance

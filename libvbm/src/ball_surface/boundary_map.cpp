@@ -263,9 +263,9 @@ private:
   Progress &progress_;
   std::vector<Site> true_site_;
   BoundaryMap out_;
-  std::vector<int32_t> point_;           // by triangle and side
-  std::vector<int32_t> start_, end_;     // by singular point and ball of its triangle: sides
-  std::vector<AngleSum> corners_;        // of each ball's patches
+  std::vector<int32_t> point_;       // by triangle and side
+  std::vector<int32_t> start_, end_; // by singular point and ball of its triangle: sides
+  std::vector<AngleSum> corners_;    // of each ball's patches
 };
 
 } // namespace

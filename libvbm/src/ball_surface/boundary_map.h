@@ -35,8 +35,8 @@ struct BoundaryMap {
   std::vector<double> blur;   // how far the balls' changed radii may have moved them
   std::vector<int32_t> code;  // of singular points: 2 * triangle + side
   std::vector<Span> spans;
-  std::vector<int32_t> from; // by side: the singular point it begins at, -1 of whole circles
-  std::vector<int32_t> next; // by side: the one after it, round the patch
+  std::vector<int32_t> from;     // by side: the singular point it begins at, -1 of whole circles
+  std::vector<int32_t> next;     // by side: the one after it, round the patch
   std::vector<int32_t> patch_of; // by side
   std::vector<Patch> patches;
   std::vector<double> bare; // of every ball: the solid angle of its patches

@@ -79,8 +79,8 @@ private:
     for (std::size_t d = 0; d < c.darts.size(); ++d) {
       progress_.tick(d, c.darts.size());
       if (!editor_.alive(int32_t(d)) || c.darts[d].twin < int32_t(d)) continue;
-      const double l =
-          distance(editor_.points.at(editor_.from(int32_t(d))), editor_.points.at(editor_.to(int32_t(d))));
+      const double l = distance(editor_.points.at(editor_.from(int32_t(d))),
+                                editor_.points.at(editor_.to(int32_t(d))));
       if (l <= reach_at(c.darts[d])) arcs.push_back({l, int32_t(d)});
     }
     std::sort(arcs.begin(), arcs.end(), [](const Short &a, const Short &b) {
@@ -91,7 +91,8 @@ private:
       const int32_t u = editor_.from(s.dart), v = editor_.to(s.dart);
       if (!editor_.alive(s.dart) || u == v || is_round(s.dart)) continue;
       if (editor_.points.stays(u) && editor_.points.stays(v)) continue;
-      if (editor_.points.reach_of(u, v) <= kDrift * reach_at(c.darts[s.dart])) editor_.contract(s.dart);
+      if (editor_.points.reach_of(u, v) <= kDrift * reach_at(c.darts[s.dart]))
+        editor_.contract(s.dart);
     }
   }
 
@@ -148,7 +149,8 @@ private:
       do {
         const Dart &d = c.darts[at];
         const PatchComplex::Arc &arc = c.arcs[d.arc];
-        const Vec3 from = editor_.points.at(editor_.from(at)), to = editor_.points.at(editor_.to(at));
+        const Vec3 from = editor_.points.at(editor_.from(at)),
+                   to = editor_.points.at(editor_.to(at));
         const double half = distance(from, to) / 2;
         pieces_.push_back({at, int32_t(l), int32_t(pieces_.size()) + 1, from, to,
                            half * most_tangent(std::min(arc.to - arc.from, 4.0) / 4)});

@@ -23,8 +23,7 @@ struct TouchedSamples {
   /// none.
   int32_t common(const DualShape &shape, int32_t code) const;
   /// That of each of a map's points.
-  std::vector<int32_t> of(const BoundaryMap &map, const DualShape &shape,
-                          Progress &progress) const;
+  std::vector<int32_t> of(const BoundaryMap &map, const DualShape &shape, Progress &progress) const;
 };
 
 struct ContractedArcs {

@@ -28,8 +28,8 @@ public:
     out_.position = map_.position;
     out_.bare = map_.bare;
     out_.finer = map_.finer;
-    const std::size_t left = std::size_t(
-        std::count(contracted_.begin(), contracted_.end(), uint8_t(0)));
+    const std::size_t left =
+        std::size_t(std::count(contracted_.begin(), contracted_.end(), uint8_t(0)));
     out_.circles.reserve(left);
     out_.arcs.reserve(2 * left); // some will be cut in two
     out_.darts.reserve(4 * left);
@@ -82,9 +82,8 @@ private:
     const double r = std::min(shape_.site[edge.a].r, shape_.site[edge.b].r);
     const double sagitta = options_.bulge * r;
     // 1 - cos x is x x / 2 at most.
-    if (angle < 2 * kPi / kLeastPieces &&
-        (axis.radius * angle * angle <= 8 * sagitta ||
-         axis.radius * (1 - std::cos(angle / 2)) <= sagitta))
+    if (angle < 2 * kPi / kLeastPieces && (axis.radius * angle * angle <= 8 * sagitta ||
+                                           axis.radius * (1 - std::cos(angle / 2)) <= sagitta))
       return 1;
     const double most =
         std::min(2 * std::acos(std::max(-1.0, 1 - sagitta / axis.radius)), 2 * kPi / kLeastPieces);

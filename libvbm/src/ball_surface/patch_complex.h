@@ -34,8 +34,8 @@ struct PatchComplex {
     int32_t arc;
     bool forward; // the way the arc runs
   };
-  /// What two spheres have in common: center + u cos + (axis x u) sin of an angle, counter-clockwise
-  /// about the edge a to b.
+  /// What two spheres have in common: center + u cos + (axis x u) sin of an angle,
+  /// counter-clockwise about the edge a to b.
   struct Circle {
     uint32_t edge;
     Vec3 center, u, axis;

@@ -26,17 +26,22 @@ double fraction(double x) { return x - std::floor(x); }
 
 /// Points at equal steps of area over all triangles.
 std::vector<Vec3> even_points(const std::vector<Vec3> &position,
-                              const std::vector<Triangle> &triangles, std::size_t count) {
+                              const std::vector<Triangle> &triangles, std::size_t count,
+                              Progress &progress) {
   double area = 0;
   const auto corner = [&](const Triangle &t, int i) { return position[t[i]]; };
   const auto area_of = [&](const Triangle &t) {
     return length(cross(corner(t, 1) - corner(t, 0), corner(t, 2) - corner(t, 0)));
   };
-  for (const Triangle &t : triangles) area += area_of(t);
+  for (const Triangle &t : triangles) {
+    progress.tick(0, 1);
+    area += area_of(t);
+  }
   std::vector<Vec3> points;
   points.reserve(count);
   double passed = 0;
   for (const Triangle &t : triangles) {
+    progress.tick(0, 1);
     passed += area_of(t);
     // The k-th point is at (k + 1/2) / count of the area.
     while (points.size() < count && (double(points.size()) + 0.5) * area < passed * double(count)) {
@@ -62,12 +67,15 @@ void measure_errors(Surface &surface, const UnionInput &set, Progress &progress)
   progress.stage("balls for measuring", 0.05);
   const BallTree balls(set.balls, progress);
   progress.stage("from the surface", 0.5);
-  const OneSided spread =
-      distances(even_points(position, surface.triangles, count), set.balls, balls, progress);
+  const OneSided spread = distances(even_points(position, surface.triangles, count, progress),
+                                    set.balls, balls, progress);
   progress.stage("from its corners", 0.6);
   std::vector<Vec3> corners(position);
-  for (const Triangle &t : surface.triangles)
+  corners.reserve(corners.size() + surface.triangles.size());
+  for (const Triangle &t : surface.triangles) {
+    progress.tick(0, 1);
     corners.push_back((position[t[0]] + position[t[1]] + position[t[2]]) * (1.0 / 3));
+  }
   const OneSided extreme = distances(corners, set.balls, balls, progress);
   report.surface_error_mean = unit * spread.mean;
   report.surface_error_max = unit * std::max(spread.most, extreme.most);

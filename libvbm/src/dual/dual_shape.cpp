@@ -139,7 +139,7 @@ private:
       around_.push_back(cell.ball[k]);
       if (const int32_t t = triangle_[4 * at + l]; t >= 0) {
         const uint32_t side = shape_.triangles[t].code == 4 * at + l ? 0 : 2;
-        shape_.turns.push_back({uint32_t(4 * t) + side + !shape_.cell_in[at]});
+        shape_.turns.push_back({4 * uint32_t(t) + side + !shape_.cell_in[at]});
       }
       at = cell.neighbor[k] >> 2;
     } while (at != first);
