@@ -12,8 +12,9 @@
 
 #include "ball_surface/closest_point.h"
 #include "core/progress.h"
+#include "core/sort_in_buckets.h"
 #include "dual/orthospheres.h"
-#include "match/sort_in_pieces.h"
+#include "surface/arrange_cells.h"
 
 #include <algorithm>
 #include <cmath>
@@ -47,6 +48,7 @@ MixedComplex::MixedComplex(const std::vector<Ball> &balls, double shrink, Progre
     : shrink_(shrink), root_(std::sqrt(shrink)), balls_(balls.size()) {
   const std::vector<Ball> larger = grown(balls, 1 / root_, progress);
   diagram_ = power_diagram(larger, 0, progress);
+  diagram_.cells = arranged(diagram_.cells, balls_, progress);
   hidden_ = diagram_.hidden.size();
   site_.reserve(balls_ + 4);
   for (std::size_t b = 0; b < balls_; ++b)
@@ -84,8 +86,8 @@ void MixedComplex::number_simplices(Progress &progress) {
       for (int i = 0; i < count; ++i)
         uses.push_back({balls_of(diagram_.cells[kept_[c]].ball, i), uint32_t(c), first + i});
     }
-    sort_in_pieces(
-        uses,
+    sort_in_buckets(
+        uses, site_.size(), [](const Use &u) { return u.ball[0]; },
         [](const Use &a, const Use &b) {
           return a.ball != b.ball   ? a.ball < b.ball
                  : a.cell != b.cell ? a.cell < b.cell

@@ -5,6 +5,7 @@
 // where a mixed cell's pieces have none.
 #include "ball_surface/skin_mesh.h"
 #include "core/progress.h"
+#include "core/sort_edges.h"
 #include "match/sort_in_pieces.h"
 
 #include <algorithm>
@@ -56,12 +57,7 @@ private:
       const int32_t a = vertex(h), b = vertex(next(h));
       halves.push_back({std::min(a, b), std::max(a, b), h});
     }
-    sort_in_pieces(
-        halves,
-        [](const Half &a, const Half &b) {
-          return a.low != b.low ? a.low < b.low : a.high != b.high ? a.high < b.high : a.h < b.h;
-        },
-        progress_);
+    sort_edges(halves, mesh_.position.size(), progress_);
     twin_.resize(halves.size());
     for (std::size_t i = 0; i + 1 < halves.size(); i += 2) {
       progress_.tick(0, 1);

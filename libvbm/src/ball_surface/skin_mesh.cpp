@@ -9,7 +9,8 @@
 
 #include "core/error.h"
 #include "core/progress.h"
-#include "match/sort_in_pieces.h"
+#include "core/sort_edges.h"
+#include "core/sort_in_buckets.h"
 
 #include <algorithm>
 #include <string>
@@ -78,8 +79,8 @@ public:
       progress_.tick(c, mixed_.cell_count());
       cut_cell(int32_t(c));
     }
-    sort_in_pieces(
-        uses_,
+    sort_in_buckets(
+        uses_, mixed_.simplex_count(), [](const Use &u) { return u.in.low; },
         [](const Use &a, const Use &b) {
           const auto x = a.key(), y = b.key();
           return x != y                     ? x < y
@@ -203,12 +204,7 @@ private:
         edges_.push_back({std::min(v[i], v[(i + 1) % 3]), std::max(v[i], v[(i + 1) % 3]),
                           uint32_t(3 * t) + uint32_t(i)});
     }
-    sort_in_pieces(
-        edges_,
-        [](const Edge &a, const Edge &b) {
-          return a.low != b.low ? a.low < b.low : a.high != b.high ? a.high < b.high : a.at < b.at;
-        },
-        progress_);
+    sort_edges(edges_, mesh_.position.size(), progress_);
   }
 
   int32_t middle_of(const Edge &a, const Edge &b) {

@@ -2,17 +2,13 @@
 // Edelsbrunner, "The union of balls and its dual shape" (1995); Edelsbrunner, Muecke (1994). It
 // differs in that all radii are a little larger than they were given (kTouch), so that balls that
 // merely touch, as all balls of a Voronoi ball model do at their samples, meet properly.
-//
-// Cells are put in the order of their lowest balls, which are near each other in space where balls
-// were made in some order: everything after that finds its neighbours in the cache.
 #include "dual/dual_shape.h"
 
 #include "core/error.h"
 #include "core/progress.h"
 #include "core/tolerances.h"
 #include "dual/orthospheres.h"
-
-#include <algorithm>
+#include "surface/arrange_cells.h"
 
 namespace vbm::impl {
 namespace {
@@ -23,8 +19,7 @@ class Search {
 public:
   Search(DualShape &shape, Progress &progress) : shape_(shape), progress_(progress) {}
 
-  void run(const std::vector<Cell> &cells) {
-    arrange(cells);
+  void run() {
     find_tetrahedra();
     find_triangles();
     find_edges();
@@ -36,34 +31,6 @@ private:
   bool all_real(const Cell &c) const {
     return shape_.real(c.ball[0]) && shape_.real(c.ball[1]) && shape_.real(c.ball[2]) &&
            shape_.real(c.ball[3]);
-  }
-
-  /// In the order of their lowest balls, without those that are none.
-  void arrange(const std::vector<Cell> &cells) {
-    const std::size_t keys = shape_.vertex.size() + 4; // far corners, too
-    std::vector<uint32_t> first(keys + 2, 0), number(cells.size());
-    const auto key = [&](const Cell &c) {
-      return c.ball[0] < 0 ? keys : std::size_t(*std::min_element(c.ball.begin(), c.ball.end()));
-    };
-    for (const Cell &c : cells) {
-      progress_.tick(0, 1);
-      ++first[key(c) + 1];
-    }
-    for (std::size_t k = 0; k <= keys; ++k) first[k + 1] += first[k];
-    const std::size_t count = first[keys];
-    for (std::size_t c = 0; c < cells.size(); ++c) {
-      progress_.tick(0, 1);
-      number[c] = first[key(cells[c])]++;
-    }
-    shape_.cells.resize(count);
-    for (std::size_t c = 0; c < cells.size(); ++c) {
-      progress_.tick(0, 1);
-      if (number[c] >= count) continue;
-      Cell &to = shape_.cells[number[c]];
-      to = cells[c];
-      for (int32_t &n : to.neighbor)
-        if (n >= 0) n = int32_t(4 * number[n >> 2]) + (n & 3);
-    }
   }
 
   void find_tetrahedra() {
@@ -192,11 +159,12 @@ DualShape dual_shape(const std::vector<Ball> &balls, double touch, Progress &pro
   DualShape shape;
   shape.vertex.assign(balls.size(), 0);
   const PowerDiagram diagram = power_diagram(grown, 0, progress);
+  shape.cells = arranged(diagram.cells, balls.size(), progress);
   shape.corner = diagram.corner;
   shape.site.reserve(balls.size());
   for (std::size_t b = 0; b < balls.size(); ++b)
     shape.site.push_back(changed_site(grown[b], int32_t(b), false));
-  Search(shape, progress).run(diagram.cells);
+  Search(shape, progress).run();
   return shape;
 }
 
