@@ -6,12 +6,16 @@
 
 #include "dual/dual_shape.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 
 namespace vbm::impl {
 
 class Progress;
+
+/// Share of the radius: what is narrow is no wider than that, nor than the bulge.
+inline constexpr double kMostNarrow = 0.15;
 
 /// A closed surface whatever the balls are: every arc has two sides, every singular point three
 /// arcs.
@@ -64,5 +68,10 @@ void find_patches(BoundaryMap &map, const DualShape &shape, Progress &progress);
 
 /// Steradians.
 inline constexpr double kWraps = 3.14;
+
+/// The bulge of wide balls, `finer` being the map's.
+inline double fine_bulge(double bulge, double finer) {
+  return bulge / (1 + finer * std::min(1.0, bulge / kMostNarrow));
+}
 
 } // namespace vbm::impl

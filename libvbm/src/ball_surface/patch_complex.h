@@ -14,9 +14,6 @@ namespace vbm::impl {
 
 class Progress;
 
-/// Share of the radius: what is narrow is no wider than that, nor than the bulge.
-inline constexpr double kMostNarrow = 0.15;
-
 struct PatchOptions {
   double bulge = 0.15;  // see vbm_ball_surface_options
   double narrow = 0.37; // see vbm_ball_surface_options
@@ -71,8 +68,7 @@ struct PatchComplex {
 
 /// How far from their ball faces may be, in radii.
 inline double bulge_of(const PatchComplex &complex, const PatchOptions &options, int32_t ball) {
-  if (!complex.wide(ball)) return options.bulge;
-  return options.bulge / (1 + complex.finer * std::min(1.0, options.bulge / kMostNarrow));
+  return complex.wide(ball) ? fine_bulge(options.bulge, complex.finer) : options.bulge;
 }
 
 /// The complex of a map without the arcs that were contracted, which are given by span; no loop of

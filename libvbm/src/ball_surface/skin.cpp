@@ -5,6 +5,7 @@
 // long (vbm_bench_balls --skin).
 #include "ball_surface/skin.h"
 
+#include "ball_surface/boundary_map.h"
 #include "ball_surface/skin_mesh.h"
 #include "core/error.h"
 #include "core/progress.h"
@@ -15,9 +16,31 @@
 namespace vbm::impl {
 namespace {
 
-/// Ratio of the longest edge that is contracted to the bulge. Edges as long as the bulge may be far
-/// from a ball's sphere in the creases, which bend more.
-constexpr double kShort = 1.0 / 3;
+/// Ratios of the longest edge that is contracted to the bulge. Where balls overlap much, edges as
+/// long as the bulge may be far from a ball's sphere in the creases, which bend more; wide balls'
+/// patches are larger than that.
+constexpr double kShort = 1.0 / 3, kShortWide = 0.6;
+
+/// How often slivers are flipped, after which more edges may be contracted.
+constexpr int kMostRounds = 3;
+
+/// Finer where balls are wide, as for singular points.
+SkinDetail detail_of(const UnionInput &set, const MixedComplex &mixed, double bulge,
+                     Progress &progress) {
+  const DualShape shape = dual_shape(set.balls, set.touch, progress);
+  const BoundaryMap map = boundary_map(shape, set.balls, false, progress);
+  const double fine = fine_bulge(bulge, map.finer);
+  SkinDetail detail; // far corners are no balls
+  detail.least.assign(set.balls.size() + 4, 0);
+  detail.shortest.assign(set.balls.size() + 4, 0);
+  for (std::size_t b = 0; b < set.balls.size(); ++b) {
+    const bool wide = map.wide(int32_t(b));
+    const double r = mixed.radius(int32_t(b));
+    detail.least[b] = (wide ? fine : bulge) * r;
+    detail.shortest[b] = (wide ? kShortWide : kShort) * bulge * r;
+  }
+  return detail;
+}
 
 void fill_tables(Surface &surface, const SkinMesh &mesh, const UnionInput &set,
                  Progress &progress) {
@@ -55,11 +78,14 @@ Surface skin_surface(const UnionInput &set, const vbm_ball_surface_options &opti
   check_any(set);
   progress.stage("mixed complex", 0.4);
   const MixedComplex mixed(set.balls, options.shrink, progress);
+  const SkinDetail detail = detail_of(set, mixed, options.bulge, progress);
   progress.stage("skin", 0.65);
   SkinMesh mesh = march(mixed, progress);
   progress.stage("triangles", 0.95);
-  refine(mesh, mixed, options.bulge, progress); // first: each triangle is in its mixed cell yet
-  contract(mesh, mixed, kShort * options.bulge, progress);
+  refine(mesh, mixed, detail, progress); // first: each triangle is in its mixed cell yet
+  contract(mesh, detail, progress);
+  for (int round = 0; round < kMostRounds && flip_slivers(mesh, detail, progress) > 0; ++round)
+    contract(mesh, detail, progress);
   if (mesh.triangles.empty())
     throw Error(VBM_ERROR_NO_INTERIOR,
                 "the balls are too small beside each other's distances for a skin surface");

@@ -23,11 +23,11 @@ constexpr double kTurned = 0.5;
 
 class Contraction {
 public:
-  Contraction(SkinMesh &mesh, const MixedComplex &mixed, double share, Progress &progress)
-      : mesh_(mesh), mixed_(mixed), share_(share), progress_(progress) {}
+  Contraction(SkinMesh &mesh, const SkinDetail &detail, Progress &progress)
+      : mesh_(mesh), detail_(detail), progress_(progress) {}
 
   void run() {
-    find_twins();
+    twin_ = twins_of(mesh_, progress_);
     mark_.assign(mesh_.position.size(), 0);
     for (int pass = 0; pass < kMostPasses && contract_once() >= kWorthwhile; ++pass) {
     }
@@ -46,29 +46,9 @@ private:
     int32_t h;
   };
 
-  void find_twins() {
-    struct Half {
-      int32_t low, high, h;
-    };
-    std::vector<Half> halves;
-    halves.reserve(3 * mesh_.triangles.size());
-    for (int32_t h = 0; h < int32_t(3 * mesh_.triangles.size()); ++h) {
-      progress_.tick(0, 1);
-      const int32_t a = vertex(h), b = vertex(next(h));
-      halves.push_back({std::min(a, b), std::max(a, b), h});
-    }
-    sort_edges(halves, mesh_.position.size(), progress_);
-    twin_.resize(halves.size());
-    for (std::size_t i = 0; i + 1 < halves.size(); i += 2) {
-      progress_.tick(0, 1);
-      twin_[halves[i].h] = halves[i + 1].h;
-      twin_[halves[i + 1].h] = halves[i].h;
-    }
-  }
-
   double limit(int32_t h) const {
     const SkinMesh::Triangle &s = mesh_.triangles[h / 3], &t = mesh_.triangles[twin_[h] / 3];
-    return share_ * std::min(mixed_.radius(s.ball), mixed_.radius(t.ball));
+    return std::min(detail_.shortest[s.ball], detail_.shortest[t.ball]);
   }
 
   bool gone(int32_t h) const { return mesh_.triangles[h / 3].vertex[0] < 0; }
@@ -113,7 +93,7 @@ private:
     list_fan(h, fan_);
     list_fan(g, other_);
     if (fan_.size() + other_.size() > kMostNeighbors + 4) return false;
-    if (!link_holds(h, g) || !stays_upright(from, to)) return false;
+    if (!link_holds(h, g) || !stays_upright(from, to) || !stays_near(from, to)) return false;
     for (int32_t k : fan_) vertex(k) = to;
     // The triangles on both sides of h go; what was beyond their other edges is joined.
     for (int32_t k : {h, g}) {
@@ -165,6 +145,18 @@ private:
     return true;
   }
 
+  /// No edge gets farther from the skin than it may be, or than it was.
+  bool stays_near(int32_t from, int32_t to) {
+    for (int32_t k : fan_) {
+      const int32_t v = vertex(next(k));
+      if (v == to) continue;
+      const double there = bend(mesh_, to, v);
+      if (there > detail_.least[mesh_.triangles[k / 3].ball] && there > bend(mesh_, from, v))
+        return false;
+    }
+    return true;
+  }
+
   /// Drops what is gone.
   void compact() {
     std::vector<int32_t> number(mesh_.position.size(), -1);
@@ -186,8 +178,7 @@ private:
   }
 
   SkinMesh &mesh_;
-  const MixedComplex &mixed_;
-  const double share_;
+  const SkinDetail &detail_;
   Progress &progress_;
   std::vector<int32_t> twin_; // of each half-edge
   std::vector<int32_t> fan_, other_;
@@ -197,8 +188,32 @@ private:
 
 } // namespace
 
-void contract(SkinMesh &mesh, const MixedComplex &mixed, double share, Progress &progress) {
-  Contraction(mesh, mixed, share, progress).run();
+void contract(SkinMesh &mesh, const SkinDetail &detail, Progress &progress) {
+  Contraction(mesh, detail, progress).run();
+}
+
+std::vector<int32_t> twins_of(const SkinMesh &mesh, Progress &progress) {
+  struct Half {
+    int32_t low, high, h;
+  };
+  std::vector<Half> halves;
+  halves.reserve(3 * mesh.triangles.size());
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    progress.tick(0, 1);
+    const auto &v = mesh.triangles[t].vertex;
+    for (int i = 0; i < 3; ++i) {
+      const int32_t a = v[i], b = v[(i + 1) % 3];
+      halves.push_back({std::min(a, b), std::max(a, b), int32_t(3 * t) + i});
+    }
+  }
+  sort_edges(halves, mesh.position.size(), progress);
+  std::vector<int32_t> twin(halves.size());
+  for (std::size_t i = 0; i + 1 < halves.size(); i += 2) {
+    progress.tick(0, 1);
+    twin[halves[i].h] = halves[i + 1].h;
+    twin[halves[i + 1].h] = halves[i].h;
+  }
+  return twin;
 }
 
 } // namespace vbm::impl

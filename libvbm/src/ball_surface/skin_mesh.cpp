@@ -168,8 +168,8 @@ private:
 /// Halves marked edges once, and splits triangles at them.
 class Halving {
 public:
-  Halving(SkinMesh &mesh, const MixedComplex &mixed, double bulge, Progress &progress)
-      : mesh_(mesh), mixed_(mixed), bulge_(bulge), progress_(progress) {}
+  Halving(SkinMesh &mesh, const MixedComplex &mixed, const SkinDetail &detail, Progress &progress)
+      : mesh_(mesh), mixed_(mixed), least_(detail.least), progress_(progress) {}
 
   /// False if no edge needs it.
   bool run() {
@@ -212,8 +212,7 @@ private:
     const Vec3 &p = mesh_.position[a.low], &q = mesh_.position[a.high];
     const Vec3 straight = (p + q) * 0.5;
     // What would move farther than half the edge is on another sheet.
-    const double reach = 0.5 * distance(p, q),
-                 least = bulge_ * std::min(mixed_.radius(s.ball), mixed_.radius(t.ball));
+    const double reach = 0.5 * distance(p, q), least = std::min(least_[s.ball], least_[t.ball]);
     Vec3 x = straight, normal;
     if (reach <= least || !mixed_.project(std::min(s.cell, t.cell), reach, x, normal)) return -1;
     if (distance(x, straight) <= least) return -1;
@@ -264,7 +263,7 @@ private:
 
   SkinMesh &mesh_;
   const MixedComplex &mixed_;
-  const double bulge_;
+  const std::vector<double> &least_;
   Progress &progress_;
   std::vector<Edge> edges_;
   std::vector<int32_t> middle_; // by Edge::at
@@ -279,9 +278,10 @@ SkinMesh march(const MixedComplex &mixed, Progress &progress) {
   return March(mixed, progress).run();
 }
 
-void refine(SkinMesh &mesh, const MixedComplex &mixed, double bulge, Progress &progress) {
+void refine(SkinMesh &mesh, const MixedComplex &mixed, const SkinDetail &detail,
+            Progress &progress) {
   for (int pass = 0; pass < kMostPasses; ++pass)
-    if (!Halving(mesh, mixed, bulge, progress).run()) return;
+    if (!Halving(mesh, mixed, detail, progress).run()) return;
 }
 
 } // namespace vbm::impl

@@ -5,6 +5,7 @@
 #include "ball_surface/mixed_complex.h"
 
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <vector>
 
@@ -27,11 +28,31 @@ struct SkinMesh {
 /// the corners' sides tell.
 SkinMesh march(const MixedComplex &mixed, Progress &progress);
 
-/// Halves edges whose middle is farther from the skin than `bulge` times the ball's radius.
-void refine(SkinMesh &mesh, const MixedComplex &mixed, double bulge, Progress &progress);
+/// By ball, in unit lengths.
+struct SkinDetail {
+  std::vector<double> least;    // how far the middles of its edges may be from the skin
+  std::vector<double> shortest; // edges that are shorter may go
+};
 
-/// Contracts edges shorter than `share` of their balls' radii where the surface stays a manifold of
-/// the same topology and no triangle turns away from the skin. Vertices keep their places.
-void contract(SkinMesh &mesh, const MixedComplex &mixed, double share, Progress &progress);
+/// How far the middle of an edge is from the skin, about: an arc's height over its chord, by the
+/// skin's normals at its ends.
+inline double bend(const SkinMesh &mesh, int32_t u, int32_t v) {
+  return std::fabs(dot(mesh.normal[u] - mesh.normal[v], mesh.position[u] - mesh.position[v])) / 8;
+}
+
+/// Halves edges whose middle is too far from the skin.
+void refine(SkinMesh &mesh, const MixedComplex &mixed, const SkinDetail &detail,
+            Progress &progress);
+
+/// Contracts short edges where the surface stays a manifold of the same topology, no triangle turns
+/// away from the skin and no edge gets too far from it. Vertices keep their places.
+void contract(SkinMesh &mesh, const SkinDetail &detail, Progress &progress);
+
+/// Gives slivers other diagonals, where no edge gets too far from the skin. Returns how many edges
+/// it turned.
+std::size_t flip_slivers(SkinMesh &mesh, const SkinDetail &detail, Progress &progress);
+
+/// Of each half-edge 3 * triangle + side, the one that runs the other way.
+std::vector<int32_t> twins_of(const SkinMesh &mesh, Progress &progress);
 
 } // namespace vbm::impl

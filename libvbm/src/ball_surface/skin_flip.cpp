@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Lawson's flips, of slivers only, and where they leave the surface no farther from the skin: how
+// far the middle of an edge is from it is told from the skin's normals at its ends. Every flip
+// makes the worse of two triangles better, so that they come to an end.
+#include "ball_surface/skin_mesh.h"
+#include "core/progress.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace vbm::impl {
+namespace {
+
+/// Squared sine of the smallest angle of a triangle that is a sliver: of 25 degrees.
+constexpr double kSliver = 0.18;
+/// So much better the worse of two triangles has to get, which is more than rounding.
+constexpr double kBetter = 1e-6;
+/// Cosine between a triangle's normal and the skin's, below which no flip may bring it.
+constexpr double kTurned = 0.7;
+
+class Flipping {
+public:
+  Flipping(SkinMesh &mesh, const SkinDetail &detail, Progress &progress)
+      : mesh_(mesh), least_(detail.least), progress_(progress), twin_(twins_of(mesh, progress)) {}
+
+  std::size_t run() {
+    std::vector<int32_t> work;
+    for (std::size_t t = mesh_.triangles.size(); t-- > 0;)
+      if (shape_of(mesh_.triangles[t].vertex) < kSliver) work.push_back(int32_t(t));
+    std::size_t flips = 0;
+    while (!work.empty()) {
+      progress_.tick(0, 1);
+      const int32_t t = work.back();
+      work.pop_back();
+      if (shape_of(mesh_.triangles[t].vertex) >= kSliver) continue;
+      for (int32_t h = 3 * t; h < 3 * t + 3; ++h) {
+        const int32_t other = twin_[h] / 3;
+        if (!flip(h)) continue;
+        ++flips;
+        work.push_back(other);
+        work.push_back(t);
+        break;
+      }
+    }
+    return flips;
+  }
+
+private:
+  using Corners = std::array<int32_t, 3>;
+
+  static int32_t next(int32_t h) { return h % 3 == 2 ? h - 2 : h + 1; }
+  int32_t from(int32_t h) const { return mesh_.triangles[h / 3].vertex[h % 3]; }
+  const Vec3 &at(int32_t v) const { return mesh_.position[v]; }
+
+  /// Squared sine of the smallest angle, 0 of a triangle without an area.
+  double shape_of(const Corners &v) const {
+    const Vec3 &a = at(v[0]), &b = at(v[1]), &c = at(v[2]);
+    const Vec3 n = cross(b - a, c - a);
+    double side[3] = {dot(b - a, b - a), dot(c - b, c - b), dot(a - c, a - c)};
+    std::sort(side, side + 3);
+    return side[1] > 0 ? dot(n, n) / (side[1] * side[2]) : 0;
+  }
+
+  double upright(const Corners &v) const {
+    const Vec3 n = cross(at(v[1]) - at(v[0]), at(v[2]) - at(v[0]));
+    const Vec3 skin = mesh_.normal[v[0]] + mesh_.normal[v[1]] + mesh_.normal[v[2]];
+    const double size = length(n) * length(skin);
+    return size > 0 ? dot(n, skin) / size : -1;
+  }
+
+  bool are_joined(int32_t h, int32_t v) const { // h begins at the other
+    int32_t k = h;
+    do {
+      if (from(next(k)) == v) return true;
+      k = twin_[next(next(k))];
+    } while (k != h);
+    return false;
+  }
+
+  bool flip(int32_t h) {
+    const int32_t g = twin_[h], i = h / 3, j = g / 3;
+    const int32_t h1 = next(h), h2 = next(h1), g1 = next(g), g2 = next(g1);
+    const int32_t a = from(h), b = from(g), c = from(h2), d = from(g2);
+    if (c == d) return false;
+    const Corners old_i{a, b, c}, old_j{b, a, d}, new_i{c, a, d}, new_j{d, b, c};
+    const double worst = std::min(shape_of(old_i), shape_of(old_j));
+    if (std::min(shape_of(new_i), shape_of(new_j)) <= worst + kBetter) return false;
+    const double least = std::min(least_[mesh_.triangles[i].ball], least_[mesh_.triangles[j].ball]);
+    if (bend(mesh_, c, d) > std::max(bend(mesh_, a, b), least)) return false;
+    const double most = std::min({upright(old_i), upright(old_j), kTurned});
+    if (upright(new_i) < most || upright(new_j) < most || are_joined(h2, d)) return false;
+    const int32_t ca = twin_[h2], ad = twin_[g1], db = twin_[g2], bc = twin_[h1];
+    mesh_.triangles[i].vertex = new_i;
+    mesh_.triangles[j].vertex = new_j;
+    link(3 * i, ca);
+    link(3 * i + 1, ad);
+    link(3 * j, db);
+    link(3 * j + 1, bc);
+    link(3 * i + 2, 3 * j + 2);
+    return true;
+  }
+
+  void link(int32_t h, int32_t g) {
+    twin_[h] = g;
+    twin_[g] = h;
+  }
+
+  SkinMesh &mesh_;
+  const std::vector<double> &least_;
+  Progress &progress_;
+  std::vector<int32_t> twin_; // of half-edges 3 * triangle + side
+};
+
+} // namespace
+
+std::size_t flip_slivers(SkinMesh &mesh, const SkinDetail &detail, Progress &progress) {
+  return Flipping(mesh, detail, progress).run();
+}
+
+} // namespace vbm::impl
