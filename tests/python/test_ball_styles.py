@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 import vbm
 from test_ball_surface import assert_surface, random_balls, surface_betti, union_betti
+from test_sparse_balls import crossings
 
 gudhi = pytest.importorskip("gudhi", reason="GUDHI (python3-gudhi) counts the holes")
 
@@ -22,6 +23,36 @@ def skin(centers, radii, shrink=0.9, **options):
     assert_surface(surface, union_betti(centers, radii / math.sqrt(shrink)))
     assert any("square root of the shrink factor" in note for note in surface.notes)
     return surface
+
+
+def smallest_angles(surface):
+    """Of each triangle, in degrees."""
+    a, b, c = (surface.vertices[surface.triangles[:, i]] for i in range(3))
+    side = np.sort([np.linalg.norm(p - q, axis=1) for p, q in ((a, b), (b, c), (c, a))], axis=0)
+    area = np.linalg.norm(np.cross(b - a, c - a), axis=1)
+    return np.degrees(np.arcsin(np.minimum(area / (side[1] * side[2]), 1)))
+
+
+def test_skins_have_no_slivers_and_no_folds():
+    rng = np.random.default_rng(6)
+    model = vbm.build(models.torus(60, 30)[0])
+    inner = slice(model.inner_count)
+    blob = vbm.build(models.blob(1500))
+    sets = {"torus": (model.centers[inner], model.radii[inner]), "atoms": (models.sphere(60), np.full(60, 0.3)),
+            "some": (rng.random((30, 3)), rng.uniform(0.1, 0.3, 30)),
+            "blob": (blob.centers[: blob.inner_count], blob.radii[: blob.inner_count])}
+    for name, (centers, radii) in sets.items():
+        surface = vbm.surface_from_balls(centers, radii, style="skin")
+        angle = smallest_angles(surface)
+        assert (angle < 5).mean() < 0.003 and (angle < 15).mean() < 0.06, name
+        assert crossings(surface.vertices, surface.triangles) < 0.001 * len(angle), name
+
+
+def test_skins_of_wide_balls_are_finer():
+    """Atoms that hardly overlap are as round as singular-point surfaces make them."""
+    centers, radii = models.sphere(60), np.full(60, 0.22)
+    skin_, points = (vbm.surface_from_balls(centers, radii, style=style, shrink=0.97) for style in ("skin", "singular_points"))
+    assert max(skin_.report.gap_mean, points.report.gap_mean) < 0.025 * 0.22
 
 
 @pytest.mark.parametrize("part", range(5))

@@ -22,7 +22,7 @@ namespace {
 constexpr double kShort = 1.0 / 3, kShortWide = 0.6;
 
 /// How often slivers are flipped, after which more edges may be contracted.
-constexpr int kMostRounds = 3;
+constexpr int kMostRounds = 4;
 
 /// Finer where balls are wide, as for singular points.
 SkinDetail detail_of(const UnionInput &set, const MixedComplex &mixed, double bulge,
@@ -84,8 +84,10 @@ Surface skin_surface(const UnionInput &set, const vbm_ball_surface_options &opti
   progress.stage("triangles", 0.95);
   refine(mesh, mixed, detail, progress); // first: each triangle is in its mixed cell yet
   contract(mesh, detail, progress);
-  for (int round = 0; round < kMostRounds && flip_slivers(mesh, detail, progress) > 0; ++round)
+  for (int round = 0; round < kMostRounds; ++round) {
+    if (flip_slivers(mesh, detail, progress) + unfold(mesh, detail, progress) == 0) break;
     contract(mesh, detail, progress);
+  }
   if (mesh.triangles.empty())
     throw Error(VBM_ERROR_NO_INTERIOR,
                 "the balls are too small beside each other's distances for a skin surface");

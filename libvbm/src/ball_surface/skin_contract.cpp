@@ -24,14 +24,24 @@ constexpr double kTurned = 0.5;
 class Contraction {
 public:
   Contraction(SkinMesh &mesh, const SkinDetail &detail, Progress &progress)
-      : mesh_(mesh), detail_(detail), progress_(progress) {}
+      : mesh_(mesh), detail_(detail), progress_(progress), twin_(twins_of(mesh, progress)),
+        mark_(mesh.position.size(), 0) {}
 
   void run() {
-    twin_ = twins_of(mesh_, progress_);
-    mark_.assign(mesh_.position.size(), 0);
     for (int pass = 0; pass < kMostPasses && contract_once() >= kWorthwhile; ++pass) {
     }
     compact();
+  }
+
+  std::size_t unfold() {
+    std::size_t went = 0;
+    for (int32_t t = 0; t < int32_t(mesh_.triangles.size()); ++t) {
+      progress_.tick(0, 1);
+      if (!gone(3 * t) && upright(mesh_, mesh_.triangles[t].vertex) < kFolded)
+        went += straighten(t);
+    }
+    compact();
+    return went;
   }
 
 private:
@@ -94,6 +104,12 @@ private:
     list_fan(g, other_);
     if (fan_.size() + other_.size() > kMostNeighbors + 4) return false;
     if (!link_holds(h, g) || !stays_upright(from, to) || !stays_near(from, to)) return false;
+    take_out(h);
+    return true;
+  }
+
+  void take_out(int32_t h) { // its fans are listed
+    const int32_t to = vertex(next(h)), g = twin_[h];
     for (int32_t k : fan_) vertex(k) = to;
     // The triangles on both sides of h go; what was beyond their other edges is joined.
     for (int32_t k : {h, g}) {
@@ -102,7 +118,40 @@ private:
       twin_[b] = a;
       mesh_.triangles[k / 3].vertex = {-1, -1, -1};
     }
+  }
+
+  /// Contracts that edge of a folded triangle after which the worst triangle round there is best.
+  bool straighten(int32_t t) {
+    int32_t chosen = -1;
+    double best = 0;
+    for (int32_t i = 3 * t; i < 3 * t + 3; ++i)
+      for (int32_t h : {i, twin_[i]}) {
+        list_fan(h, fan_);
+        list_fan(twin_[h], other_);
+        if (fan_.size() + other_.size() > kMostNeighbors + 4 || !link_holds(h, twin_[h])) continue;
+        const double gain = worst_after(vertex(next(h))) - worst_before();
+        if (gain > best) best = gain, chosen = h;
+      }
+    if (chosen < 0) return false;
+    list_fan(chosen, fan_);
+    list_fan(twin_[chosen], other_);
+    take_out(chosen);
     return true;
+  }
+
+  /// How folded the worst triangle of the first fan is; and without its first and last, which an
+  /// edge's contraction takes out, with the fan's vertex at another place.
+  double worst_before() const {
+    double worst = 1;
+    for (int32_t k : fan_) worst = std::min(worst, upright(mesh_, mesh_.triangles[k / 3].vertex));
+    return worst;
+  }
+  double worst_after(int32_t to) {
+    double worst = 1;
+    for (std::size_t i = 1; i + 1 < fan_.size(); ++i)
+      worst =
+          std::min(worst, upright(mesh_, {to, vertex(next(fan_[i])), vertex(previous(fan_[i]))}));
+    return worst;
   }
 
   bool link_holds(int32_t h, int32_t g) {
@@ -124,22 +173,14 @@ private:
     return true;
   }
 
-  /// Cosine between the normal of a triangle and those of the skin at its corners.
-  double upright(const std::array<int32_t, 3> &v) const {
-    const Vec3 n = cross(at(v[1]) - at(v[0]), at(v[2]) - at(v[0]));
-    const Vec3 skin = mesh_.normal[v[0]] + mesh_.normal[v[1]] + mesh_.normal[v[2]];
-    const double size = length(n) * length(skin);
-    return size > 0 ? dot(n, skin) / size : -1;
-  }
-
   bool stays_upright(int32_t from, int32_t to) {
     if (at(from) == at(to)) return true;
     for (std::size_t i = 1; i + 1 < fan_.size(); ++i) { // all but both triangles at h
       const int32_t k = fan_[i];
       std::array<int32_t, 3> v{vertex(k), vertex(next(k)), vertex(previous(k))};
-      const double before = upright(v);
+      const double before = upright(mesh_, v);
       v[0] = to;
-      const double after = upright(v);
+      const double after = upright(mesh_, v);
       if (!(after >= kTurned || after >= before)) return false;
     }
     return true;
@@ -190,6 +231,10 @@ private:
 
 void contract(SkinMesh &mesh, const SkinDetail &detail, Progress &progress) {
   Contraction(mesh, detail, progress).run();
+}
+
+std::size_t unfold(SkinMesh &mesh, const SkinDetail &detail, Progress &progress) {
+  return Contraction(mesh, detail, progress).unfold();
 }
 
 std::vector<int32_t> twins_of(const SkinMesh &mesh, Progress &progress) {

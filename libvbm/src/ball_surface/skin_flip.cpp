@@ -18,6 +18,9 @@ constexpr double kBetter = 1e-6;
 /// Cosine between a triangle's normal and the skin's, below which no flip may bring it.
 constexpr double kTurned = 0.7;
 
+/// A triangle's share of flips, at most.
+constexpr std::size_t kMostFlips = 10;
+
 class Flipping {
 public:
   Flipping(SkinMesh &mesh, const SkinDetail &detail, Progress &progress)
@@ -26,13 +29,15 @@ public:
   std::size_t run() {
     std::vector<int32_t> work;
     for (std::size_t t = mesh_.triangles.size(); t-- > 0;)
-      if (shape_of(mesh_.triangles[t].vertex) < kSliver) work.push_back(int32_t(t));
+      if (is_bad(int32_t(t))) work.push_back(int32_t(t));
+    // Each is better than what was there in one way, and there are two.
+    const std::size_t most = kMostFlips * mesh_.triangles.size();
     std::size_t flips = 0;
-    while (!work.empty()) {
+    while (!work.empty() && flips < most) {
       progress_.tick(0, 1);
       const int32_t t = work.back();
       work.pop_back();
-      if (shape_of(mesh_.triangles[t].vertex) >= kSliver) continue;
+      if (!is_bad(t)) continue;
       for (int32_t h = 3 * t; h < 3 * t + 3; ++h) {
         const int32_t other = twin_[h] / 3;
         if (!flip(h)) continue;
@@ -52,6 +57,11 @@ private:
   int32_t from(int32_t h) const { return mesh_.triangles[h / 3].vertex[h % 3]; }
   const Vec3 &at(int32_t v) const { return mesh_.position[v]; }
 
+  bool is_bad(int32_t t) const {
+    const Corners &v = mesh_.triangles[t].vertex;
+    return shape_of(v) < kSliver || upright(mesh_, v) < kFolded;
+  }
+
   /// Squared sine of the smallest angle, 0 of a triangle without an area.
   double shape_of(const Corners &v) const {
     const Vec3 &a = at(v[0]), &b = at(v[1]), &c = at(v[2]);
@@ -59,13 +69,6 @@ private:
     double side[3] = {dot(b - a, b - a), dot(c - b, c - b), dot(a - c, a - c)};
     std::sort(side, side + 3);
     return side[1] > 0 ? dot(n, n) / (side[1] * side[2]) : 0;
-  }
-
-  double upright(const Corners &v) const {
-    const Vec3 n = cross(at(v[1]) - at(v[0]), at(v[2]) - at(v[0]));
-    const Vec3 skin = mesh_.normal[v[0]] + mesh_.normal[v[1]] + mesh_.normal[v[2]];
-    const double size = length(n) * length(skin);
-    return size > 0 ? dot(n, skin) / size : -1;
   }
 
   bool are_joined(int32_t h, int32_t v) const { // h begins at the other
@@ -83,12 +86,17 @@ private:
     const int32_t a = from(h), b = from(g), c = from(h2), d = from(g2);
     if (c == d) return false;
     const Corners old_i{a, b, c}, old_j{b, a, d}, new_i{c, a, d}, new_j{d, b, c};
-    const double worst = std::min(shape_of(old_i), shape_of(old_j));
-    if (std::min(shape_of(new_i), shape_of(new_j)) <= worst + kBetter) return false;
-    const double least = std::min(least_[mesh_.triangles[i].ball], least_[mesh_.triangles[j].ball]);
-    if (bend(mesh_, c, d) > std::max(bend(mesh_, a, b), least)) return false;
-    const double most = std::min({upright(old_i), upright(old_j), kTurned});
-    if (upright(new_i) < most || upright(new_j) < most || are_joined(h2, d)) return false;
+    const double before = std::min(upright(mesh_, old_i), upright(mesh_, old_j)),
+                 after = std::min(upright(mesh_, new_i), upright(mesh_, new_j));
+    if (before >= kFolded || after <= before + kBetter) {
+      const double worst = std::min(shape_of(old_i), shape_of(old_j));
+      if (std::min(shape_of(new_i), shape_of(new_j)) <= worst + kBetter) return false;
+      const double least =
+          std::min(least_[mesh_.triangles[i].ball], least_[mesh_.triangles[j].ball]);
+      if (bend(mesh_, c, d) > std::max(bend(mesh_, a, b), least)) return false;
+      if (after < std::min(before, kTurned)) return false;
+    }
+    if (are_joined(h2, d)) return false;
     const int32_t ca = twin_[h2], ad = twin_[g1], db = twin_[g2], bc = twin_[h1];
     mesh_.triangles[i].vertex = new_i;
     mesh_.triangles[j].vertex = new_j;

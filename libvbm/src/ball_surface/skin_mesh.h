@@ -4,6 +4,7 @@
 
 #include "ball_surface/mixed_complex.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
@@ -40,6 +41,19 @@ inline double bend(const SkinMesh &mesh, int32_t u, int32_t v) {
   return std::fabs(dot(mesh.normal[u] - mesh.normal[v], mesh.position[u] - mesh.position[v])) / 8;
 }
 
+/// Cosine between the normal of a triangle and those of the skin at its corners, 0 of one without
+/// an area to speak of.
+inline double upright(const SkinMesh &mesh, const std::array<int32_t, 3> &v) {
+  const Vec3 &p = mesh.position[v[0]];
+  const Vec3 e = mesh.position[v[1]] - p, f = mesh.position[v[2]] - p, n = cross(e, f);
+  const Vec3 skin = mesh.normal[v[0]] + mesh.normal[v[1]] + mesh.normal[v[2]];
+  const double size = length(n), straight = length(skin);
+  const bool is_flat = !(size > 1e-9 * std::max(dot(e, e), dot(f, f))) || !(straight > 0);
+  return is_flat ? 0 : dot(n, skin) / (size * straight);
+}
+/// Below this a triangle is folded over.
+inline constexpr double kFolded = 0.5;
+
 /// Halves edges whose middle is too far from the skin.
 void refine(SkinMesh &mesh, const MixedComplex &mixed, const SkinDetail &detail,
             Progress &progress);
@@ -48,8 +62,12 @@ void refine(SkinMesh &mesh, const MixedComplex &mixed, const SkinDetail &detail,
 /// away from the skin and no edge gets too far from it. Vertices keep their places.
 void contract(SkinMesh &mesh, const SkinDetail &detail, Progress &progress);
 
-/// Gives slivers other diagonals, where no edge gets too far from the skin. Returns how many edges
-/// it turned.
+/// Contracts edges of folded triangles, of any length, where that leaves less folded ones. Returns
+/// how many.
+std::size_t unfold(SkinMesh &mesh, const SkinDetail &detail, Progress &progress);
+
+/// Gives slivers and folded triangles other diagonals, where no edge gets too far from the skin.
+/// Returns how many edges it turned.
 std::size_t flip_slivers(SkinMesh &mesh, const SkinDetail &detail, Progress &progress);
 
 /// Of each half-edge 3 * triangle + side, the one that runs the other way.
