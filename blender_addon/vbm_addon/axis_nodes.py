@@ -10,7 +10,6 @@ number of their curve, or -1, as `part`.
 import bpy
 
 from . import compat, node_building, part_colors
-from .creation import undone_on_failure
 
 NAME = "VBM Axis"
 CURVE, CONTACT, MATERIAL = "Curve Radius", "Contact Radius", "Material"
@@ -109,12 +108,4 @@ def _build(tree):
 
 def node_group():
     """The node group of all axis objects, made if the file has none. (group, is it new)"""
-    found = node_building.find(bpy.data.node_groups, _EDITION_KEY, _EDITION)
-    if found is not None:
-        return found, False
-    with undone_on_failure() as made:
-        tree = bpy.data.node_groups.new(NAME, "GeometryNodeTree")
-        made.append((bpy.data.node_groups, tree))
-        tree[_EDITION_KEY] = _EDITION
-        _build(tree)
-    return tree, True
+    return node_building.group(NAME, _EDITION_KEY, _EDITION, _build)

@@ -144,12 +144,4 @@ def _build(tree):
 
 def node_group():
     """The node group of all ball objects, made if the file has none. (group, is it new)"""
-    found = node_building.find(bpy.data.node_groups, _EDITION_KEY, _EDITION)
-    if found is not None:
-        return found, False
-    with undone_on_failure() as made:
-        tree = bpy.data.node_groups.new(NAME, "GeometryNodeTree")
-        made.append((bpy.data.node_groups, tree))
-        tree[_EDITION_KEY] = _EDITION
-        _build(tree)
-    return tree, True
+    return node_building.group(NAME, _EDITION_KEY, _EDITION, _build)

@@ -5,10 +5,7 @@ As with the balls, the group needs nothing of the add-on. It reads the vertex at
 ball shown there (0 for none), and the colour, which it leaves as it is.
 """
 
-import bpy
-
 from . import compat, node_building
-from .creation import undone_on_failure
 
 NAME = "VBM Graph"
 TUBE, MATERIAL = "Tube Radius", "Material"
@@ -66,12 +63,4 @@ def _build(tree):
 
 def node_group():
     """The node group of all graphs, made if the file has none. (group, is it new)"""
-    found = node_building.find(bpy.data.node_groups, _EDITION_KEY, _EDITION)
-    if found is not None:
-        return found, False
-    with undone_on_failure() as made:
-        tree = bpy.data.node_groups.new(NAME, "GeometryNodeTree")
-        made.append((bpy.data.node_groups, tree))
-        tree[_EDITION_KEY] = _EDITION
-        _build(tree)
-    return tree, True
+    return node_building.group(NAME, _EDITION_KEY, _EDITION, _build)

@@ -41,21 +41,14 @@ NewLayer axis_layer(const vbm::Axis &axis, std::string name) {
 
 void describe(const vbm::Axis &axis, std::vector<std::string> &log) {
   const vbm_axis_report report = axis.report();
-  std::string line = "Medial axis: " + count(report.vertices, "vertex", "vertices") + ", " +
-                     count(report.triangles, "triangle", "triangles") + ", ";
-  if (report.curve_edges) line += count(report.curve_edges, "curve edge", "curve edges") + ", ";
-  log.push_back(line + count(report.components, "component", "components") +
-                ", Euler characteristic " + std::to_string(report.euler) + ".");
-
-  if (report.curve_edges)
-    log.push_back("MeshLab's layers have no edges: curves show as their vertices only, the balls.");
-
+  describe_simplices("Medial axis: " + count(report.vertices, "vertex", "vertices") + ", ", report,
+                     log);
   std::map<std::int32_t, std::uint64_t> levels, locks;
   for (const vbm_part &part : axis.parts()) {
     ++levels[part.level];
     if (part.lock != VBM_LOCK_NONE) ++locks[part.lock];
   }
-  line = count(report.parts, "part", "parts");
+  std::string line = count(report.parts, "part", "parts");
   const char *separator = ": ";
   for (const auto &[level, parts] : levels) {
     line += separator + count(parts) + " of level " + std::to_string(level);

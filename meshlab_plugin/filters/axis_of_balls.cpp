@@ -44,13 +44,7 @@ NewLayer mesh_layer(const vbm::MedialMesh &mesh, std::string name) {
 
 void describe(const vbm::MedialMesh &mesh, std::vector<std::string> &log) {
   const vbm_medial_mesh_report report = mesh.report();
-  std::string line = "Axis of " + count(report.vertices, "ball", "balls") + ": " +
-                     count(report.triangles, "triangle", "triangles") + ", ";
-  if (report.curve_edges) line += count(report.curve_edges, "curve edge", "curve edges") + ", ";
-  log.push_back(line + count(report.components, "component", "components") +
-                ", Euler characteristic " + std::to_string(report.euler) + ".");
-  if (report.curve_edges)
-    log.push_back("MeshLab's layers have no edges: curves show as their vertices only, the balls.");
+  describe_simplices("Axis of " + count(report.vertices, "ball", "balls") + ": ", report, log);
   log.push_back("The shape that it stands for is off by at most " + number(report.error_max) +
                 ", on average " + number(report.error_mean) + "; the diagonal is " +
                 number(report.diagonal) + ".");
