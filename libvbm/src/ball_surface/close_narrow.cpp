@@ -9,6 +9,7 @@
 // say. Each is made of a patch whose own corners ask for it, in the order of the patches.
 #include "ball_surface/close_narrow.h"
 
+#include "ball_surface/merge_points.h"
 #include "core/progress.h"
 #include "dual/orthospheres.h"
 #include "dual/wedges.h"
@@ -27,9 +28,6 @@ constexpr std::size_t kManyDarts = 64;
 /// Shares of the reach: a corner nearer than this to an arc's end becomes one with that; and how
 /// far what is to be contracted may stray from the patch.
 constexpr double kEnd = 0.7, kAcross = 0.25;
-
-/// And how far from its place any point may come to be that several moves took along.
-constexpr double kDrift = 2;
 
 class Closing {
 public:
@@ -99,7 +97,7 @@ private:
   /// Whether an arc with little between its ends goes all the way round.
   bool is_round(int32_t d) const {
     const PatchComplex::Arc &arc = editor_.complex.arcs[editor_.complex.darts[d].arc];
-    return arc.to - arc.from > 2;
+    return arc.to - arc.from > kRound;
   }
 
   /// Patches of two loops and more: each pair is joined where it is nearest.

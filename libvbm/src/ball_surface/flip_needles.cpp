@@ -3,6 +3,7 @@
 // shortens an edge, so that they come to an end.
 #include "ball_surface/flip_needles.h"
 
+#include "ball_surface/thinness.h"
 #include "core/progress.h"
 
 #include <algorithm>
@@ -48,16 +49,6 @@ public:
   }
 
 private:
-  /// Squared sine of the smallest angle, 0 of a triangle without an area.
-  static double thinness(const Vec3 &a, const Vec3 &b, const Vec3 &c) {
-    const Vec3 n = cross(b - a, c - a);
-    const double p = dot(b - a, b - a), q = dot(c - b, c - b), r = dot(a - c, a - c);
-    const double more = std::max(p, q), less = std::min(p, q);
-    const double product =
-        std::max(more, r) * std::max(less, std::min(more, r)); // of the longer two
-    return product > 0 ? dot(n, n) / product : 0;
-  }
-
   /// Whether it is a needle, faces its ball, or has an edge that is far from it for its size.
   bool is_bad(int32_t i) const {
     const Vec3 &a = position_[t_[i][0]], &b = position_[t_[i][1]], &c = position_[t_[i][2]];

@@ -56,12 +56,6 @@ std::vector<int32_t> TouchedSamples::of(const BoundaryMap &map, const DualShape 
 
 namespace {
 
-/// Radians: an arc with little between its ends may go all the way round.
-constexpr double kRound = 2;
-
-/// Times what is narrow: how far from its place any point may come to be.
-constexpr double kDrift = 2;
-
 class Contraction {
 public:
   Contraction(const BoundaryMap &map, const DualShape &shape, MergedPoints &points,

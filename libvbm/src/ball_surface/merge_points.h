@@ -26,6 +26,12 @@ struct TouchedSamples {
   std::vector<int32_t> of(const BoundaryMap &map, const DualShape &shape, Progress &progress) const;
 };
 
+/// Radians: an arc with little between its ends that is longer may go all the way round.
+inline constexpr double kRound = 2;
+/// Times what is narrow: how far from its place any point may come to be that several moves took
+/// along.
+inline constexpr double kDrift = 2;
+
 struct ContractedArcs {
   std::vector<uint8_t> contracted; // by span
   std::size_t merged = 0;          // singular points that went as they were the same as others

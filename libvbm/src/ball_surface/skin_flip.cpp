@@ -3,6 +3,7 @@
 // far the middle of an edge is from it is told from the skin's normals at its ends. Every flip
 // makes the worse of two triangles better, so that they come to an end.
 #include "ball_surface/skin_mesh.h"
+#include "ball_surface/thinness.h"
 #include "core/progress.h"
 
 #include <algorithm>
@@ -59,17 +60,10 @@ private:
 
   bool is_bad(int32_t t) const {
     const Corners &v = mesh_.triangles[t].vertex;
-    return shape_of(v) < kSliver || upright(mesh_, v) < kFolded;
+    return thinness_of(v) < kSliver || upright(mesh_, v) < kFolded;
   }
 
-  /// Squared sine of the smallest angle, 0 of a triangle without an area.
-  double shape_of(const Corners &v) const {
-    const Vec3 &a = at(v[0]), &b = at(v[1]), &c = at(v[2]);
-    const Vec3 n = cross(b - a, c - a);
-    double side[3] = {dot(b - a, b - a), dot(c - b, c - b), dot(a - c, a - c)};
-    std::sort(side, side + 3);
-    return side[1] > 0 ? dot(n, n) / (side[1] * side[2]) : 0;
-  }
+  double thinness_of(const Corners &v) const { return thinness(at(v[0]), at(v[1]), at(v[2])); }
 
   bool are_joined(int32_t h, int32_t v) const { // h begins at the other
     int32_t k = h;
@@ -89,8 +83,8 @@ private:
     const double before = std::min(upright(mesh_, old_i), upright(mesh_, old_j)),
                  after = std::min(upright(mesh_, new_i), upright(mesh_, new_j));
     if (before >= kFolded || after <= before + kBetter) {
-      const double worst = std::min(shape_of(old_i), shape_of(old_j));
-      if (std::min(shape_of(new_i), shape_of(new_j)) <= worst + kBetter) return false;
+      const double worst = std::min(thinness_of(old_i), thinness_of(old_j));
+      if (std::min(thinness_of(new_i), thinness_of(new_j)) <= worst + kBetter) return false;
       const double least =
           std::min(least_[mesh_.triangles[i].ball], least_[mesh_.triangles[j].ball]);
       if (bend(mesh_, c, d) > std::max(bend(mesh_, a, b), least)) return false;
