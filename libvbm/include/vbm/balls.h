@@ -61,9 +61,9 @@ typedef struct vbm_ball_surface_options {
   double bulge;   /* where the middle of a polygon would be farther from its ball's sphere than this
                      share of the radius, vertices on the sphere are added, and on long arcs; skin: where
                      the middle of an edge would be as far from the skin, and edges shorter than a
-                     third of it are contracted; default 0.15, 0.001 to 1. Singular points: no
-                     triangle's middle is farther from its sphere than about twice this. Both: where
-                     most of the union's area is of balls bare of more than half a steradian it is
+                     third of it may go; default 0.15, 0.001 to 1. Singular points: no triangle's
+                     middle is farther from its sphere than about twice this. Both: where most of the
+                     union's area is of balls bare of more than half a steradian, for these it is
                      divided by 5 at the default and above, by less at smaller ones                  */
   double bridge;  /* not of the skin: balls whose radii would meet if they were larger by this share
                      are joined (8.3.5); default 0, 0 to 1                                           */

@@ -15,10 +15,6 @@ public:
     if (!(size > 0)) return;
     take(u / size, v / size);
   }
-  void add(const AngleSum &other) {
-    add(other.x_, other.y_);
-    halves_ += other.halves_;
-  }
   double sum() const { return std::atan2(y_, x_) + kPi * halves_; }
 
 private:

@@ -79,8 +79,7 @@ private:
       const DualShape::Triangle &triangle = shape_.triangles[t];
       if (!triangle.open[0] && !triangle.open[1]) continue;
       const auto &b = triangle.ball;
-      const Vec3 y = triangle_center(shape_.site[b[0]], shape_.site[b[1]], shape_.site[b[2]]);
-      add_points(t, y);
+      add_points(t, triangle_center(true_site(b[0]), true_site(b[1]), true_site(b[2])));
     }
     start_.assign(3 * out_.position.size(), -1);
     end_.assign(3 * out_.position.size(), -1);
@@ -92,19 +91,14 @@ private:
   }
 
   /// On the open sides of a triangle.
-  void add_points(std::size_t t, Vec3 y) {
+  void add_points(std::size_t t, const Vec3 &y) {
     const auto &b = shape_.triangles[t].ball;
     const Site &p = true_site(b[0]), &q = true_site(b[1]), &r = true_site(b[2]);
     const Vec3 e = center_of(q) - center_of(p), f = center_of(r) - center_of(p), w = cross(e, f);
     const double area = length(w);
     double chord = chord_of(p, y);
-    bool offset = false;
-    if (bridged_) {
-      y = triangle_center(p, q, r);
-      chord = chord_of(p, y);
-      offset = !(chord > 0);
-      if (offset) chord = (p.r + q.r + r.r) / 3;
-    }
+    const bool offset = bridged_ && !(chord > 0);
+    if (offset) chord = (p.r + q.r + r.r) / 3;
     // What the radii were changed by moves the planes between the balls: by kTouch of the radii
     // where these differ, by kPowerChange of their squares in any case.
     const double le = length(e), lf = length(f), lift = 2 * kPowerChange * p.r * p.r;
@@ -155,7 +149,10 @@ private:
         if (shape_.turns[t].outside()) add_arc(uint32_t(e), axis, t);
     }
     for (std::size_t b = 0; b < out_.bare.size(); ++b) out_.bare[b] -= corners_[b].sum();
-    for (std::size_t c = 0; c < start_.size(); ++c) out_.next[end_[c]] = start_[c];
+    for (std::size_t c = 0; c < start_.size(); ++c) {
+      progress_.tick(1, 1);
+      out_.next[end_[c]] = start_[c];
+    }
   }
 
   void add_circle(uint32_t e, const Axis3 &axis) {
@@ -254,8 +251,9 @@ private:
       all += area;
       if (out_.wide(int32_t(b))) wide += area;
     }
-    out_.finer = BoundaryMap::kMostFiner *
-                 std::clamp((wide - kFewWide * all) / ((kManyWide - kFewWide) * all), 0.0, 1.0);
+    const double share = all > 0 ? wide / all : 0;
+    out_.finer =
+        BoundaryMap::kMostFiner * std::clamp((share - kFewWide) / (kManyWide - kFewWide), 0.0, 1.0);
   }
 
   const DualShape &shape_;

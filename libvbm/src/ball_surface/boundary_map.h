@@ -32,7 +32,7 @@ struct BoundaryMap {
   struct Patch {
     int32_t ball;
     int32_t loops; // of sides round it: 1 for a disk, 0 for a whole sphere
-    bool wraps;    // its solid angle is more than kWraps, whatever its loop looks like
+    bool wraps;    // it is more than half of the sphere, whatever its loop looks like
   };
 
   std::vector<Vec3> position; // of singular points, unit frame
@@ -65,9 +65,6 @@ BoundaryMap boundary_map(const DualShape &shape, const std::vector<Ball> &balls,
 
 /// Puts in what boundary_map() takes from here: sides in loops, loops of patches.
 void find_patches(BoundaryMap &map, const DualShape &shape, Progress &progress);
-
-/// Steradians.
-inline constexpr double kWraps = 3.14;
 
 /// The bulge of wide balls, `finer` being the map's.
 inline double fine_bulge(double bulge, double finer) {

@@ -11,12 +11,16 @@
 #include "dual/wedges.h"
 
 #include <algorithm>
-#include <cmath>
+#include <utility>
 
 namespace vbm::impl {
 namespace {
 
 constexpr double kPi = 3.14159265358979323846;
+
+/// Steradians: a loop that turns the wrong way and has less on its left is of a patch that is
+/// thinner than rounding.
+constexpr double kWraps = 3.14;
 
 /// Radians: an arc of more than that is not like its chord.
 constexpr double kLongArc = 1;
@@ -42,8 +46,10 @@ public:
       ++loops[ball];
     }
     join_split_links(loops);
-    for (std::size_t p = 0; p < map_.patches.size(); ++p)
+    for (std::size_t p = 0; p < map_.patches.size(); ++p) {
+      progress_.tick(1, 1);
       if (map_.patches[p].loops == 1) map_.patches[p].wraps = wraps(first_[p]);
+    }
     drop_joined();
     std::vector<uint8_t> has_edge(shape_.vertex.size(), 0);
     for (const DualShape::Edge &e : shape_.edges) has_edge[e.a] = has_edge[e.b] = 1;
@@ -61,26 +67,32 @@ private:
   /// Euler characteristic.
   void join_split_links(const std::vector<int32_t> &loops) {
     std::vector<int32_t> sum(loops);
-    for (const DualShape::Edge &e : shape_.edges) ++sum[e.a], ++sum[e.b];
-    for (const DualShape::Triangle &t : shape_.triangles)
+    for (const DualShape::Edge &e : shape_.edges) {
+      progress_.tick(1, 1);
+      ++sum[e.a], ++sum[e.b];
+    }
+    for (const DualShape::Triangle &t : shape_.triangles) {
+      progress_.tick(1, 1);
       for (int32_t b : t.ball) --sum[b];
-    for (std::size_t c = 0; c < shape_.cells.size(); ++c)
+    }
+    for (std::size_t c = 0; c < shape_.cells.size(); ++c) {
+      progress_.tick(1, 1);
       if (shape_.cell_in[c])
         for (int32_t b : shape_.cells[c].ball) ++sum[b];
-    std::vector<std::vector<int32_t>> loops_of;
-    std::vector<int32_t> number(sum.size(), -1);
+    }
+    std::vector<std::pair<int32_t, int32_t>> split; // ball, and a side of each of its loops
     for (std::size_t p = 0; p < map_.patches.size(); ++p) {
       const int32_t b = map_.patches[p].ball;
-      if (sum[b] <= 2 || loops[b] < 2) continue;
-      if (number[b] < 0) {
-        number[b] = int32_t(loops_of.size());
-        loops_of.emplace_back();
-      }
-      loops_of[number[b]].push_back(first_[p]);
+      if (sum[b] > 2 && loops[b] > 1) split.emplace_back(b, first_[p]);
     }
-    for (const std::vector<int32_t> &l : loops_of) {
+    std::sort(split.begin(), split.end());
+    std::vector<int32_t> of_ball;
+    for (std::size_t i = 0; i < split.size(); ++i) {
       progress_.tick(1, 1);
-      join_loops(l);
+      of_ball.push_back(split[i].second);
+      if (i + 1 < split.size() && split[i + 1].first == split[i].first) continue;
+      join_loops(of_ball);
+      of_ball.clear();
     }
   }
 
@@ -127,8 +139,8 @@ private:
       map_.patch_of[at] = patch;
   }
 
-  /// A loop that turns the wrong way is that of a large patch, or of one that is thinner than
-  /// rounding.
+  /// Whether a loop is that of a patch of more than half a sphere. One that turns the wrong way is,
+  /// or its patch is thinner than rounding; where arcs are long their ends do not tell which way.
   bool wraps(int32_t first) const {
     const Site &ball = shape_.site[map_.ball_of(shape_, first)];
     if (map_.from[first] < 0) { // a whole circle
@@ -145,8 +157,9 @@ private:
       sum += p - c;
       is_long |= map_.spans[at / 2].angle > kLongArc;
     }
-    if (!is_long && dot(normal, sum) > 0) return false;
-    return loop_angle(map_, shape_, first) > kWraps;
+    const bool is_right = dot(normal, sum) > 0;
+    if (is_right && !is_long) return false;
+    return loop_angle(map_, shape_, first) > (is_right ? 2 * kPi : kWraps);
   }
 
   void drop_joined() {

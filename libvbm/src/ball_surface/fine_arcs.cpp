@@ -40,8 +40,8 @@ constexpr double kStill = 0.1;
 /// Squared: ends nearer than this are one.
 constexpr double kSamePlace = 1e-24;
 
-/// Below this a determinant of unit vectors is not surely positive, and a corner not convex.
-constexpr double kConvex = 1e-12;
+/// Below this a determinant of unit vectors is not surely positive, and a corner not on the left.
+constexpr double kLeft = 1e-12;
 
 /// Ratio of the distance of two patches' middles to how far they reach: with more than the square
 /// root of 2, no two chords' diametral balls meet.
@@ -81,7 +81,7 @@ class Uncrossing {
 public:
   Uncrossing(ComplexEditor &editor, Progress &progress) : editor_(editor), progress_(progress) {}
 
-  std::vector<int32_t> run() {
+  void run() {
     const std::size_t balls = editor_.shape.vertex.size();
     darts_.resize(balls);
     listed_.assign(balls, 0);
@@ -89,7 +89,7 @@ public:
     queued_.assign(balls, 0);
     find_doubtful();
     list_darts();
-    std::vector<int32_t> work, failed;
+    std::vector<int32_t> work;
     for (std::size_t b = balls; b-- > 0;)
       if (darts_[b].size() > 2) queue(int32_t(b), work);
     while (!work.empty()) {
@@ -97,11 +97,8 @@ public:
       const int32_t b = work.back();
       work.pop_back();
       queued_[b] = 0;
-      if (!clear(b, work)) failed.push_back(b);
+      clear(b, work);
     }
-    std::sort(failed.begin(), failed.end());
-    failed.erase(std::unique(failed.begin(), failed.end()), failed.end());
-    return failed;
   }
 
 private:
@@ -116,8 +113,8 @@ private:
     double reach;
   };
 
-  /// Most patches are small and convex, and each ball's are apart. Of the other balls all chords
-  /// are to be looked at.
+  /// Most patches are small and seen wholly from their first corners, and each ball's are apart. Of
+  /// the other balls all chords are to be looked at.
   void find_doubtful() {
     const PatchComplex &c = editor_.complex;
     const std::size_t balls = listed_.size();
@@ -129,7 +126,8 @@ private:
       const PatchComplex::Patch &patch = c.patches[p];
       if (patch.loops <= 0) continue;
       uint8_t &doubtful = listed_[patch.ball];
-      doubtful |= patch.loops > 1 || patch.wraps || !is_convex(int32_t(p), place[p]);
+      doubtful =
+          doubtful || patch.loops > 1 || patch.wraps || !is_star_shaped(int32_t(p), place[p]);
       int count = 0;
       for (int32_t q = first_patch_[patch.ball]; q >= 0 && !doubtful; q = next_patch_[q]) {
         const double reach = kApart * (place[p].reach + place[q].reach);
@@ -143,7 +141,7 @@ private:
 
   /// Whether all corners of a patch's one loop are left of its first chord, and seen one after the
   /// other from the first corner; and the loop runs the right way round.
-  bool is_convex(int32_t p, Place &place) {
+  bool is_star_shaped(int32_t p, Place &place) {
     const PatchComplex &c = editor_.complex;
     const Site &ball = editor_.shape.site[c.patches[p].ball];
     const Vec3 center = center_of(ball);
@@ -160,7 +158,7 @@ private:
     Vec3 sum = corner_[0] + corner_[1], turn = side;
     Vec3 from = side; // the plane of the first corner and the last one seen
     for (std::size_t i = 2; i < n; ++i) {
-      if (dot(side, corner_[i]) < kConvex || dot(from, corner_[i]) < kConvex) return false;
+      if (dot(side, corner_[i]) < kLeft || dot(from, corner_[i]) < kLeft) return false;
       from = cross(corner_[0], corner_[i]);
       sum += corner_[i];
       turn += cross(corner_[i - 1], corner_[i]);
@@ -177,9 +175,11 @@ private:
   }
 
   void list_darts() {
-    for (std::size_t d = 0; d < editor_.complex.darts.size(); ++d)
+    for (std::size_t d = 0; d < editor_.complex.darts.size(); ++d) {
+      progress_.tick(1, 2);
       if (editor_.alive(int32_t(d)) && listed_[ball_of(int32_t(d))])
         darts_[ball_of(int32_t(d))].push_back(int32_t(d));
+    }
     for (std::size_t b = 0; b < darts_.size(); ++b)
       most_[b] = kMostPieces * darts_[b].size() + kSomePieces;
   }
@@ -204,18 +204,17 @@ private:
     work.push_back(b);
   }
 
-  /// Cuts a ball's arcs until their chords are apart; false if that cannot be had.
-  bool clear(int32_t b, std::vector<int32_t> &work) {
+  /// Cuts a ball's arcs until their chords are apart, or that cannot be had.
+  void clear(int32_t b, std::vector<int32_t> &work) {
     for (int round = 0; round < kRounds; ++round) {
       progress_.tick(1, 2);
       find_crossing(b);
       if (cut_.empty()) find_reversed(b);
-      if (cut_.empty()) return !tangled_;
+      if (cut_.empty()) return;
       bool any = false;
       for (int32_t d : cut_) any |= halve(d, work);
-      if (!any || darts_[b].size() > most_[b]) return false;
+      if (!any || darts_[b].size() > most_[b]) return;
     }
-    return false;
   }
 
   /// Of each two chords that cross, the one that is farther from its arc.
@@ -223,7 +222,6 @@ private:
     const double r = editor_.shape.site[b].r;
     read(b);
     cut_.clear();
-    tangled_ = false;
     for (std::size_t i = 0; i < chords_.size(); ++i)
       for (std::size_t j = i + 1; j < chords_.size(); ++j) {
         if (chords_[j].low > chords_[i].middle.x + chords_[i].half) break;
@@ -231,7 +229,6 @@ private:
         if (depth < 0) continue;
         const int32_t a = chords_[i].dart, c = chords_[j].dart;
         const double sa = sagitta(a), sc = sagitta(c);
-        tangled_ = true;
         const double most = std::max(sa, sc);
         if (depth * r <= kSlack * most && std::max(moved(a), moved(c)) <= kStill * most)
           cut_.push_back(sa >= sc ? a : c);
@@ -265,7 +262,6 @@ private:
         off = std::max(off, moved(chords_[k].dart));
         round += 2 * chords_[k].half;
       }
-      tangled_ = true;
       // It is that wide, the wrong way.
       if (length(turn) / round * r > kSlack * most || off > kStill * most) continue;
       for (std::size_t k = i; k < end; ++k)
@@ -329,7 +325,6 @@ private:
   std::vector<uint8_t> queued_;
   std::vector<Chord> chords_;
   std::vector<int32_t> cut_;
-  bool tangled_ = false;
 };
 
 } // namespace
@@ -359,8 +354,8 @@ void refine_arcs(ComplexEditor &editor, const PatchOptions &options, Progress &p
   }
 }
 
-std::vector<int32_t> uncross_chords(ComplexEditor &editor, Progress &progress) {
-  return Uncrossing(editor, progress).run();
+void uncross_chords(ComplexEditor &editor, Progress &progress) {
+  Uncrossing(editor, progress).run();
 }
 
 } // namespace vbm::impl

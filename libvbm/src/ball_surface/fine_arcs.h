@@ -13,8 +13,8 @@ class Progress;
 /// Arcs at wide balls: so that they are as flat as these balls' patches are to be.
 void refine_arcs(ComplexEditor &editor, const PatchOptions &options, Progress &progress);
 
-/// And where chords of a ball cross, seen from its centre: these are cut until none do. Returns the
-/// balls where that could not be had, because points of theirs have been moved.
-std::vector<int32_t> uncross_chords(ComplexEditor &editor, Progress &progress);
+/// And where chords of a ball cross, seen from its centre: these are cut until none do, or
+/// that cannot be had, because points of theirs have been moved.
+void uncross_chords(ComplexEditor &editor, Progress &progress);
 
 } // namespace vbm::impl

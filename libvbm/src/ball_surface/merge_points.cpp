@@ -5,14 +5,14 @@
 // the balls' changed radii can have moved its ends by is one point.
 //
 // It differs in that nothing is merged that would change the surface: arcs are contracted one by
-// one, none that ends where it begins, so that the surface stays what it is; a disk with one arc
-// round it is contracted, and one with two is closed like a mouth. What stands at one place and
-// hangs together in no such way are two vertices: that is how places where the surface touches
-// itself are kept apart.
+// one, none that ends where it begins, so that the surface stays what it is. What stands at one
+// place and hangs together in no such way are two vertices: that is how places where the surface
+// touches itself are kept apart.
 #include "ball_surface/merge_points.h"
 
 #include "core/progress.h"
 #include "dual/orthospheres.h"
+#include "match/sort_in_pieces.h"
 
 #include <algorithm>
 
@@ -75,9 +75,11 @@ public:
 
   /// Arcs that are no longer than what is narrow at both their balls, the shortest first.
   void short_arcs(const std::vector<double> &reach) {
-    for (std::size_t side = 0; side < map_.from.size(); ++side)
+    for (std::size_t side = 0; side < map_.from.size(); ++side) {
+      progress_.tick(0, 1);
       if (map_.from[side] >= 0 && reach[map_.ball_of(shape_, int32_t(side))] == 0)
         points_.fix(points_.find(map_.from[side]));
+    }
     struct Short {
       double length, reach;
       uint32_t span;
@@ -92,9 +94,12 @@ public:
                                 points_.at(points_.find(map_.from[2 * s + 1])));
       if (l <= most) arcs.push_back({l, most, uint32_t(s)});
     }
-    std::sort(arcs.begin(), arcs.end(), [](const Short &a, const Short &b) {
-      return a.length != b.length ? a.length < b.length : a.span < b.span;
-    });
+    sort_in_pieces(
+        arcs,
+        [](const Short &a, const Short &b) {
+          return a.length != b.length ? a.length < b.length : a.span < b.span;
+        },
+        progress_);
     for (const Short &a : arcs) {
       progress_.tick(1, 1);
       const int32_t u = points_.find(map_.from[2 * a.span]),

@@ -61,13 +61,7 @@ MixedComplex::MixedComplex(const std::vector<Ball> &balls, double shrink, Progre
 }
 
 void MixedComplex::number_simplices(Progress &progress) {
-  place_.assign(diagram_.cells.size(), -1);
-  for (std::size_t c = 0; c < diagram_.cells.size(); ++c)
-    if (diagram_.cells[c].ball[0] >= 0) {
-      place_[c] = int32_t(kept_.size());
-      kept_.push_back(int32_t(c));
-    }
-  of_cell_.resize(kept_.size());
+  of_cell_.resize(cell_count());
   simplex_.resize(site_.size());
   for (std::size_t b = 0; b < site_.size(); ++b) {
     progress.tick(0, 1);
@@ -80,11 +74,11 @@ void MixedComplex::number_simplices(Progress &progress) {
   };
   const auto number = [&](int first, int count, auto balls_of) {
     std::vector<Use> uses;
-    uses.reserve(kept_.size() * std::size_t(count));
-    for (std::size_t c = 0; c < kept_.size(); ++c) {
+    uses.reserve(cell_count() * std::size_t(count));
+    for (std::size_t c = 0; c < cell_count(); ++c) {
       progress.tick(0, 1);
       for (int i = 0; i < count; ++i)
-        uses.push_back({balls_of(diagram_.cells[kept_[c]].ball, i), uint32_t(c), first + i});
+        uses.push_back({balls_of(diagram_.cells[c].ball, i), uint32_t(c), first + i});
     }
     sort_in_buckets(
         uses, site_.size(), [](const Use &u) { return u.ball[0]; },
@@ -113,12 +107,12 @@ void MixedComplex::number_simplices(Progress &progress) {
     return t;
   });
   cells_ = int32_t(simplex_.size());
-  for (int32_t c : kept_) simplex_.push_back({diagram_.cells[c].ball});
+  for (const PowerDiagram::Cell &c : diagram_.cells) simplex_.push_back({c.ball});
 }
 
 MixedComplex::Cell MixedComplex::cell(std::size_t c) const {
   Cell out{};
-  const std::array<int32_t, 4> &ball = diagram_.cells[kept_[c]].ball;
+  const std::array<int32_t, 4> &ball = diagram_.cells[c].ball;
   for (int i = 0; i < 4; ++i) out.simplex[1 << i] = ball[i];
   for (int i = 0; i < 6; ++i) out.simplex[(1 << kEdge[i][0]) | (1 << kEdge[i][1])] = of_cell_[c][i];
   for (int i = 0; i < 4; ++i) out.simplex[15 ^ (1 << i)] = of_cell_[c][6 + i];
@@ -161,7 +155,7 @@ void MixedComplex::find_low_points(Progress &progress) {
     if (dot(focus_[e] - b, a - b) < 0) low_[e] = b;
   }
   std::vector<uint8_t> done(std::size_t(cells_ - triangles_), 0);
-  for (std::size_t c = 0; c < kept_.size(); ++c) {
+  for (std::size_t c = 0; c < cell_count(); ++c) {
     progress.tick(0, 1);
     const Cell cell = this->cell(c);
     for (int i = 0; i < 4; ++i) {
@@ -205,7 +199,7 @@ void MixedComplex::find_high_points(Progress &progress) {
   };
   // Triangles: the segment between the centres of the tetrahedra beside them.
   std::vector<int32_t> first(std::size_t(cells_ - triangles_), -1);
-  for (std::size_t c = 0; c < kept_.size(); ++c) {
+  for (std::size_t c = 0; c < cell_count(); ++c) {
     progress.tick(0, 1);
     for (int i = 0; i < 4; ++i) {
       const int32_t t = of_cell_[c][6 + i], whole = cells_ + int32_t(c);
@@ -223,7 +217,7 @@ void MixedComplex::find_high_points(Progress &progress) {
   // Edges: the polygon of the triangles about them, where one's third ball is nearer to the focus.
   std::vector<int32_t> edges_of(3 * std::size_t(cells_ - triangles_));
   std::vector<uint8_t> done(std::size_t(cells_ - triangles_), 0);
-  for (std::size_t c = 0; c < kept_.size(); ++c) {
+  for (std::size_t c = 0; c < cell_count(); ++c) {
     progress.tick(0, 1);
     const Cell cell = this->cell(c);
     for (int i = 0; i < 4; ++i) {
@@ -284,7 +278,7 @@ Vec3 MixedComplex::crossing(const Corner &p, const Corner &q, Vec3 &normal) cons
 }
 
 MixedComplex::Inner MixedComplex::inner(int32_t cell, const Vec3 &x) const {
-  const std::array<int32_t, 4> &ball = diagram_.cells[kept_[cell]].ball;
+  const std::array<int32_t, 4> &ball = diagram_.cells[cell].ball;
   const Vec3 corner[4] = {center(ball[0]), center(ball[1]), center(ball[2]), center(ball[3])};
   const Vec3 &f = focus_[cells_ + cell];
   // |x - a|^2 - h w(a) is least at a = f + (x - f) / (1 - h), and grows evenly round it.
@@ -301,9 +295,9 @@ bool MixedComplex::project(int32_t cell, double reach, Vec3 &x, Vec3 &normal) co
   for (int round = 0; round < kMostRounds; ++round) {
     // Of this tetrahedron and those beside it, as x may have left it.
     Inner best = inner(cell, to);
-    for (int32_t code : diagram_.cells[kept_[cell]].neighbor) {
+    for (int32_t code : diagram_.cells[cell].neighbor) {
       if (code < 0) continue;
-      const Inner other = inner(place_[code >> 2], to);
+      const Inner other = inner(code >> 2, to);
       if (other.value < best.value) best = other;
     }
     const Vec3 out = to - best.center;

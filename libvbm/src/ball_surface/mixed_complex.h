@@ -28,11 +28,10 @@ public:
   struct Cell {
     std::array<int32_t, 16> simplex;
   };
-  std::size_t cell_count() const { return kept_.size(); }
+  std::size_t cell_count() const { return diagram_.cells.size(); }
   Cell cell(std::size_t c) const;
 
   std::size_t simplex_count() const { return focus_.size(); }
-  std::size_t ball_count() const { return balls_; }
   std::size_t hidden() const { return hidden_; }
 
   /// A corner of a mixed cell's pieces: simplices low <= high, whose points a and b it lies
@@ -80,13 +79,11 @@ private:
   std::size_t balls_ = 0, hidden_ = 0;
   std::vector<Site> site_; // grown balls, then the far corners
   PowerDiagram diagram_;
-  std::vector<int32_t> kept_;  // cells of the diagram that are there
-  std::vector<int32_t> place_; // of the diagram's cells in it
 
   // Simplices are balls, edges, triangles, tetrahedra, from these numbers on.
   int32_t edges_ = 0, triangles_ = 0, cells_ = 0;
   std::vector<Simplex> simplex_;
-  std::vector<std::array<int32_t, 10>> of_cell_; // per kept cell: 6 edges, 4 triangles
+  std::vector<std::array<int32_t, 10>> of_cell_; // per cell: 6 edges, 4 triangles
 
   std::vector<Vec3> focus_; // where the simplex's balls are equally far, in its own plane
   std::vector<Vec3> low_;   // of the simplex, the point nearest to its focus

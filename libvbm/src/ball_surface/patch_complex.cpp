@@ -2,7 +2,6 @@
 #include "ball_surface/patch_complex.h"
 
 #include "core/progress.h"
-#include "dual/orthospheres.h"
 #include "dual/wedges.h"
 
 #include <algorithm>
@@ -131,7 +130,10 @@ private:
       while (first_[next] < 0) next = map_.next[next];
       set_next(last_[side], first_[next]);
     }
-    for (const PatchComplex::Dart &d : out_.darts) ++out_.patches[d.patch].darts;
+    for (const PatchComplex::Dart &d : out_.darts) {
+      progress_.tick(1, 1);
+      ++out_.patches[d.patch].darts;
+    }
   }
 
   const BoundaryMap &map_;

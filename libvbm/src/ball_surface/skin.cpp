@@ -76,8 +76,9 @@ void fill_tables(Surface &surface, const SkinMesh &mesh, const UnionInput &set,
 Surface skin_surface(const UnionInput &set, const vbm_ball_surface_options &options,
                      Progress &progress) {
   check_any(set);
-  progress.stage("mixed complex", 0.4);
+  progress.stage("mixed complex", 0.35);
   const MixedComplex mixed(set.balls, options.shrink, progress);
+  progress.stage("sizes of faces", 0.4);
   const SkinDetail detail = detail_of(set, mixed, options.bulge, progress);
   progress.stage("skin", 0.65);
   SkinMesh mesh = march(mixed, progress);
@@ -85,7 +86,8 @@ Surface skin_surface(const UnionInput &set, const vbm_ball_surface_options &opti
   refine(mesh, mixed, detail, progress); // first: each triangle is in its mixed cell yet
   contract(mesh, detail, progress);
   for (int round = 0; round < kMostRounds; ++round) {
-    if (flip_slivers(mesh, detail, progress) + unfold(mesh, detail, progress) == 0) break;
+    const std::size_t turned = flip_slivers(mesh, detail, progress);
+    if (turned + unfold(mesh, detail, progress) == 0) break;
     contract(mesh, detail, progress);
   }
   if (mesh.triangles.empty())

@@ -9,7 +9,6 @@
 #include "match/sort_in_pieces.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace vbm::impl {
 namespace {
@@ -120,7 +119,7 @@ private:
     }
   }
 
-  /// Contracts that edge of a folded triangle after which the worst triangle round there is best.
+  /// Contracts that edge of a folded triangle by which the worst triangle round its end gains most.
   bool straighten(int32_t t) {
     int32_t chosen = -1;
     double best = 0;
@@ -188,9 +187,8 @@ private:
 
   /// No edge gets farther from the skin than it may be, or than it was.
   bool stays_near(int32_t from, int32_t to) {
-    for (int32_t k : fan_) {
-      const int32_t v = vertex(next(k));
-      if (v == to) continue;
+    for (std::size_t i = 2; i + 1 < fan_.size(); ++i) { // the others are there already
+      const int32_t k = fan_[i], v = vertex(next(k));
       const double there = bend(mesh_, to, v);
       if (there > detail_.least[mesh_.triangles[k / 3].ball] && there > bend(mesh_, from, v))
         return false;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Lawson's flips, of slivers only, and where they leave the surface no farther from the skin: how
-// far the middle of an edge is from it is told from the skin's normals at its ends. Every flip
-// makes the worse of two triangles better, so that they come to an end.
+// Lawson's flips: of slivers where they leave the surface no farther from the skin, which is told
+// from the skin's normals at the ends of edges, and the worse of two triangles gets better; and of
+// folded triangles, wherever they are less folded after it.
 #include "ball_surface/skin_mesh.h"
 #include "ball_surface/thinness.h"
 #include "core/progress.h"
@@ -29,8 +29,10 @@ public:
 
   std::size_t run() {
     std::vector<int32_t> work;
-    for (std::size_t t = mesh_.triangles.size(); t-- > 0;)
+    for (std::size_t t = mesh_.triangles.size(); t-- > 0;) {
+      progress_.tick(0, 1);
       if (is_bad(int32_t(t))) work.push_back(int32_t(t));
+    }
     // Each is better than what was there in one way, and there are two.
     const std::size_t most = kMostFlips * mesh_.triangles.size();
     std::size_t flips = 0;

@@ -66,8 +66,8 @@ void contract(SkinMesh &mesh, const SkinDetail &detail, Progress &progress);
 /// how many.
 std::size_t unfold(SkinMesh &mesh, const SkinDetail &detail, Progress &progress);
 
-/// Gives slivers and folded triangles other diagonals, where no edge gets too far from the skin.
-/// Returns how many edges it turned.
+/// Gives slivers other diagonals, where no edge gets too far from the skin, and folded triangles
+/// where they are less folded then. Returns how many edges it turned.
 std::size_t flip_slivers(SkinMesh &mesh, const SkinDetail &detail, Progress &progress);
 
 /// Of each half-edge 3 * triangle + side, the one that runs the other way.

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/progress.h"
+#include "match/sort_in_pieces.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -15,6 +16,7 @@ namespace vbm::impl {
 template <class T, class Bucket, class Less>
 void sort_in_buckets(std::vector<T> &list, std::size_t buckets, Bucket bucket_of, Less less,
                      Progress &progress) {
+  constexpr std::ptrdiff_t kFew = 1 << 15;   // at once, without a look at the progress
   std::vector<uint32_t> end(buckets + 1, 0); // of each bucket, when it is filled
   for (const T &t : list) {
     progress.tick(0, 1);
@@ -29,8 +31,15 @@ void sort_in_buckets(std::vector<T> &list, std::size_t buckets, Bucket bucket_of
   }
   for (std::size_t b = 0, begin = 0; b < buckets; begin = end[b], ++b) {
     progress.tick(0, 1);
-    std::sort(sorted.begin() + std::ptrdiff_t(begin), sorted.begin() + std::ptrdiff_t(end[b]),
-              less);
+    const auto first = sorted.begin() + std::ptrdiff_t(begin),
+               last = sorted.begin() + std::ptrdiff_t(end[b]);
+    if (last - first <= kFew) {
+      std::sort(first, last, less);
+      continue;
+    }
+    std::vector<T> many(first, last);
+    sort_in_pieces(many, less, progress);
+    std::copy(many.begin(), many.end(), first);
   }
   list.swap(sorted);
 }

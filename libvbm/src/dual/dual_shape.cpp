@@ -158,9 +158,11 @@ DualShape dual_shape(const std::vector<Ball> &balls, double touch, Progress &pro
   for (Ball &b : grown) b.radius = b.radius * (1 + kTouch) + touch;
   DualShape shape;
   shape.vertex.assign(balls.size(), 0);
-  const PowerDiagram diagram = power_diagram(grown, 0, progress);
-  shape.cells = arranged(diagram.cells, balls.size(), progress);
-  shape.corner = diagram.corner;
+  {
+    const PowerDiagram diagram = power_diagram(grown, 0, progress);
+    shape.cells = arranged(diagram.cells, balls.size(), progress);
+    shape.corner = diagram.corner;
+  }
   shape.site.reserve(balls.size());
   for (std::size_t b = 0; b < balls.size(); ++b)
     shape.site.push_back(changed_site(grown[b], int32_t(b), false));
