@@ -80,7 +80,7 @@ void MixedComplex::number_simplices(Progress &progress) {
       for (int i = 0; i < count; ++i)
         uses.push_back({balls_of(diagram_.cells[c].ball, i), uint32_t(c), first + i});
     }
-    sort_in_buckets(
+    const std::unique_ptr<Use[]> sorted = sorted_in_buckets(
         uses, site_.size(), [](const Use &u) { return u.ball[0]; },
         [](const Use &a, const Use &b) {
           return a.ball != b.ball   ? a.ball < b.ball
@@ -90,9 +90,9 @@ void MixedComplex::number_simplices(Progress &progress) {
         progress);
     for (std::size_t i = 0; i < uses.size(); ++i) {
       progress.tick(0, 1);
-      if (i == 0 || uses[i].ball != uses[i - 1].ball)
-        simplex_.push_back({{uses[i].ball[0], uses[i].ball[1], uses[i].ball[2], -1}});
-      of_cell_[uses[i].cell][uses[i].place] = int32_t(simplex_.size()) - 1;
+      if (i == 0 || sorted[i].ball != sorted[i - 1].ball)
+        simplex_.push_back({{sorted[i].ball[0], sorted[i].ball[1], sorted[i].ball[2], -1}});
+      of_cell_[sorted[i].cell][sorted[i].place] = int32_t(simplex_.size()) - 1;
     }
   };
   edges_ = int32_t(simplex_.size());

@@ -13,6 +13,7 @@
 #include "core/sort_in_buckets.h"
 
 #include <algorithm>
+#include <deque>
 #include <string>
 
 namespace vbm::impl {
@@ -79,7 +80,7 @@ public:
       progress_.tick(c, mixed_.cell_count());
       cut_cell(int32_t(c));
     }
-    sort_in_buckets(
+    const std::unique_ptr<Use[]> sorted = sorted_in_buckets(
         uses_, mixed_.simplex_count(), [](const Use &u) { return u.in.low; },
         [](const Use &a, const Use &b) {
           const auto x = a.key(), y = b.key();
@@ -90,8 +91,8 @@ public:
         progress_);
     for (std::size_t i = 0; i < uses_.size(); ++i) {
       progress_.tick(i, uses_.size());
-      const Use &use = uses_[i];
-      if (i == 0 || use.key() != uses_[i - 1].key()) {
+      const Use &use = sorted[i];
+      if (i == 0 || use.key() != sorted[i - 1].key()) {
         mesh_.normal.emplace_back();
         mesh_.position.push_back(mixed_.crossing(use.in, use.out, mesh_.normal.back()));
       }
@@ -161,7 +162,7 @@ private:
   const MixedComplex &mixed_;
   Progress &progress_;
   const std::vector<Piece> pieces_;
-  std::vector<Use> uses_;
+  std::deque<Use> uses_; // by far the most memory: never copied as it grows
   SkinMesh mesh_;
 };
 

@@ -125,10 +125,15 @@ private:
   void find_vertices() {
     const std::size_t count = shape_.vertex.size();
     std::vector<uint8_t> hidden(count, 1);
-    for (const Cell &cell : shape_.cells)
+    for (const Cell &cell : shape_.cells) {
+      progress_.tick(3, 4);
       for (int32_t b : cell.ball)
         if (shape_.real(b)) hidden[b] = 0;
-    for (const DualShape::Edge &e : shape_.edges) shape_.vertex[e.a] = shape_.vertex[e.b] = 1;
+    }
+    for (const DualShape::Edge &e : shape_.edges) {
+      progress_.tick(3, 4);
+      shape_.vertex[e.a] = shape_.vertex[e.b] = 1;
+    }
     for (std::size_t b = 0; b < count; ++b) hidden[b] |= shape_.vertex[b]; // need no test
     for (std::size_t c = 0; c < shape_.cells.size(); ++c) {
       progress_.tick(3 * shape_.cells.size() + c, 4 * shape_.cells.size());
