@@ -9,7 +9,6 @@
 
 #include "core/error.h"
 #include "core/progress.h"
-#include "core/sort_edges.h"
 #include "core/sort_in_buckets.h"
 
 #include <algorithm>
@@ -174,43 +173,30 @@ public:
 
   /// False if no edge needs it.
   bool run() {
-    list_edges();
-    middle_.assign(3 * mesh_.triangles.size(), -1);
+    const std::vector<int32_t> twin = twins_of(mesh_, progress_);
+    middle_.assign(twin.size(), -1);
     bool any = false;
-    for (std::size_t i = 0; i + 1 < edges_.size(); i += 2) {
-      progress_.tick(i, edges_.size());
-      const int32_t m = middle_of(edges_[i], edges_[i + 1]);
-      middle_[edges_[i].at] = middle_[edges_[i + 1].at] = m;
+    for (std::size_t h = 0; h < twin.size(); ++h) {
+      progress_.tick(h, twin.size());
+      if (twin[h] < int32_t(h)) continue;
+      const int32_t m = middle_of(int32_t(h), twin[h]);
+      middle_[h] = middle_[twin[h]] = m;
       any |= m >= 0;
     }
     const std::size_t count = mesh_.triangles.size();
     if (any)
-      for (std::size_t t = 0; t < count; ++t) split(t);
+      for (std::size_t t = 0; t < count; ++t) {
+        progress_.tick(t, count);
+        split(t);
+      }
     return any;
   }
 
 private:
-  struct Edge {
-    int32_t low, high;
-    uint32_t at; // 3 * triangle + the corner it begins at
-  };
-
-  /// Of each edge both triangles, one after the other.
-  void list_edges() {
-    edges_.reserve(3 * mesh_.triangles.size());
-    for (std::size_t t = 0; t < mesh_.triangles.size(); ++t) {
-      progress_.tick(0, 1);
-      const auto &v = mesh_.triangles[t].vertex;
-      for (int i = 0; i < 3; ++i)
-        edges_.push_back({std::min(v[i], v[(i + 1) % 3]), std::max(v[i], v[(i + 1) % 3]),
-                          uint32_t(3 * t) + uint32_t(i)});
-    }
-    sort_edges(edges_, mesh_.position.size(), progress_);
-  }
-
-  int32_t middle_of(const Edge &a, const Edge &b) {
-    const SkinMesh::Triangle &s = mesh_.triangles[a.at / 3], &t = mesh_.triangles[b.at / 3];
-    const Vec3 &p = mesh_.position[a.low], &q = mesh_.position[a.high];
+  /// The vertex in the middle of the edge that both half-edges are, -1 if it needs none.
+  int32_t middle_of(int32_t h, int32_t g) {
+    const SkinMesh::Triangle &s = mesh_.triangles[h / 3], &t = mesh_.triangles[g / 3];
+    const Vec3 p = mesh_.position[s.vertex[h % 3]], q = mesh_.position[t.vertex[g % 3]];
     const Vec3 straight = (p + q) * 0.5;
     // What would move farther than half the edge is on another sheet.
     const double reach = 0.5 * distance(p, q), least = std::min(least_[s.ball], least_[t.ball]);
@@ -266,8 +252,7 @@ private:
   const MixedComplex &mixed_;
   const std::vector<double> &least_;
   Progress &progress_;
-  std::vector<Edge> edges_;
-  std::vector<int32_t> middle_; // by Edge::at
+  std::vector<int32_t> middle_; // by half-edge
 };
 
 /// Each pass halves edges; an arc of half a circle with a bulge of 0.001 needs 6.
