@@ -18,6 +18,13 @@
 namespace vbm::impl {
 namespace {
 
+void check_count(std::size_t triangles) {
+  constexpr std::size_t kMost = 500000000;
+  if (triangles > kMost)
+    throw Error(VBM_ERROR_LIMIT,
+                "the skin surface would have more than " + std::to_string(kMost) + " triangles");
+}
+
 struct Piece {
   std::array<uint8_t, 4> low, high; // simplices of the corners, by bits of a cell's balls
   uint8_t ball;                     // by bits
@@ -143,9 +150,7 @@ private:
   /// order[ends[2 i + 1]] outside; counter-clockwise from outside in a positive piece.
   void add(int32_t number, const MixedComplex::Cell &cell, const Piece &p,
            const std::array<int, 4> &order, const std::array<int, 6> &ends, bool positive) {
-    if (mesh_.triangles.size() >= kMostTriangles)
-      throw Error(VBM_ERROR_LIMIT, "the skin surface would have more than " +
-                                       std::to_string(kMostTriangles) + " triangles");
+    check_count(mesh_.triangles.size() + 1);
     const auto corner = [&](int at) {
       return MixedComplex::Corner{cell.simplex[p.low[order[at]]], cell.simplex[p.high[order[at]]]};
     };
@@ -155,8 +160,6 @@ private:
       uses_.push_back(
           {corner(ends[2 * i]), corner(ends[2 * i + 1]), t, positive || i == 0 ? i : 3 - i});
   }
-
-  static constexpr std::size_t kMostTriangles = 500000000;
 
   const MixedComplex &mixed_;
   Progress &progress_;
@@ -184,6 +187,9 @@ public:
       any |= m >= 0;
     }
     const std::size_t count = mesh_.triangles.size();
+    std::size_t added = 0; // every mark adds one
+    for (int32_t m : middle_) added += m >= 0;
+    check_count(count + added);
     if (any)
       for (std::size_t t = 0; t < count; ++t) {
         progress_.tick(t, count);
