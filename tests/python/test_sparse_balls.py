@@ -141,6 +141,13 @@ def test_other_bulges(bulge):
         check(*random_balls(seed), volume=volume, gap=gap, area_left=volume - 0.25, bulge=bulge)
 
 
+def test_chords_that_cross_are_cut():
+    """Where they are, and not by making everything finer."""
+    surface = vbm.surface_from_balls(*random_balls(16), bulge=0.3)
+    assert crossings(surface.vertices, surface.triangles) == 0
+    assert len(surface.triangles) < 1800  # 2,444 if no chord is cut and all is made again
+
+
 def test_smaller_bulges_come_nearer():
     """To the union itself: volume, area and every distance."""
     chain = walk(20, 1.5, 20), np.random.default_rng(20).choice([1.2, 1.52, 1.7], 20)
