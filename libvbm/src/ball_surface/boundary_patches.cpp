@@ -52,7 +52,10 @@ public:
     }
     drop_joined();
     std::vector<uint8_t> has_edge(shape_.vertex.size(), 0);
-    for (const DualShape::Edge &e : shape_.edges) has_edge[e.a] = has_edge[e.b] = 1;
+    for (const DualShape::Edge &e : shape_.edges) {
+      progress_.tick(1, 1);
+      has_edge[e.a] = has_edge[e.b] = 1;
+    }
     for (std::size_t b = 0; b < has_edge.size(); ++b)
       if (shape_.vertex[b] && !has_edge[b]) {
         map_.patches.push_back({int32_t(b), 0, true});

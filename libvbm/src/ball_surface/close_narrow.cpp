@@ -12,7 +12,6 @@
 #include "ball_surface/merge_points.h"
 #include "core/progress.h"
 #include "dual/orthospheres.h"
-#include "dual/wedges.h"
 
 #include <algorithm>
 #include <cmath>

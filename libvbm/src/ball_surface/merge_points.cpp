@@ -69,7 +69,8 @@ public:
     for (std::size_t s = 0; s < map_.spans.size(); ++s) {
       progress_.tick(s, map_.spans.size());
       const int32_t u = map_.from[2 * s], v = map_.from[2 * s + 1];
-      if (u >= 0 && map_.spans[s].angle < kRound && is_null(u, v)) out_.merged += contract(s, u, v);
+      if (u >= 0 && map_.spans[s].angle < kRound && is_null(u, v))
+        out_.merged += contract(s, points_.find(u), points_.find(v));
     }
   }
 
@@ -119,7 +120,6 @@ private:
   }
 
   bool contract(std::size_t s, int32_t u, int32_t v) {
-    u = points_.find(u), v = points_.find(v);
     if (u == v) return false;
     points_.unite(u, v);
     out_.contracted[s] = 1;

@@ -3,8 +3,8 @@
 //
 // It differs in that the surface's topology holds by construction, whatever the balls are: the
 // boundary of the union, as the dual shape gives it, is a closed surface of patches, arcs and
-// singular points (patch_complex.h); points are merged by moves that keep it one (merge_points.h);
-// and only then does each patch become a polygon (patch_mesh.h).
+// singular points (boundary_map.h); points are merged by moves that keep it one (merge_points.h,
+// complex_editor.h); and only then does each patch become a polygon (patch_mesh.h).
 #include "ball_surface/singular_points.h"
 
 #include "ball_surface/close_narrow.h"
@@ -16,7 +16,6 @@
 #include "ball_surface/turn_outwards.h"
 #include "core/error.h"
 #include "core/progress.h"
-#include "core/tolerances.h"
 #include "dual/orthospheres.h"
 #include "sampling/checks.h"
 #include "surface/measure.h"

@@ -7,7 +7,6 @@
 #include "core/progress.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace vbm::impl {
 namespace {
