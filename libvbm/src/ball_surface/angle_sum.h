@@ -15,6 +15,10 @@ public:
     if (!(size > 0)) return;
     take(u / size, v / size);
   }
+  void add(const AngleSum &other) {
+    halves_ += other.halves_;
+    add(other.x_, other.y_);
+  }
   double sum() const { return std::atan2(y_, x_) + kPi * halves_; }
 
 private:

@@ -15,6 +15,7 @@
 #include "ball_surface/angle_sum.h"
 #include "core/progress.h"
 #include "core/tolerances.h"
+#include "core/workers.h"
 #include "dual/orthospheres.h"
 #include "dual/wedges.h"
 
@@ -40,10 +41,14 @@ constexpr double kMostBlur = 1e-3;
 /// the second many.
 constexpr double kFewWide = 0.3, kManyWide = 0.5;
 
+/// Edges from which on two threads are worth it.
+constexpr std::size_t kManyEdges = 4000;
+
 class Search {
 public:
   Search(const DualShape &shape, const std::vector<Ball> &balls, bool bridged, Progress &progress)
-      : shape_(shape), bridged_(bridged), progress_(progress) {
+      : shape_(shape), bridged_(bridged), progress_(progress),
+        parts_(shape.edges.size() < kManyEdges ? 1 : 2) {
     if (!bridged) return;
     for (std::size_t b = 0; b < balls.size(); ++b)
       true_site_.push_back(changed_site(balls[b], int32_t(b), false));
@@ -64,25 +69,57 @@ private:
     return bridged_ ? true_site_[ball] : shape_.site[ball];
   }
 
+  /// Of the triangles and of the edges, one thread's work: what it adds up by ball.
+  struct Part {
+    std::vector<AngleSum> corners; // of each ball's patches
+    std::vector<double> bare;
+    std::size_t first_point = 0, first_span = 0, offset_points = 0;
+  };
+
+  /// Part n of a list.
+  std::size_t begin_of(std::size_t n, std::size_t count) const { return count * n / parts_.size(); }
+
+  void in_parts(void (Search::*find)(std::size_t, Progress &)) {
+    run_parts(int(parts_.size()), progress_,
+              [&](int n, Progress &progress) { (this->*find)(std::size_t(n), progress); });
+  }
+
   // ---- Singular points
 
   void make_points() {
     const std::size_t count = shape_.triangles.size(), balls = shape_.vertex.size();
-    point_.assign(2 * count, -1);
-    corners_.resize(balls);
+    std::size_t points = 0;
+    for (std::size_t n = 0; n < parts_.size(); ++n) {
+      parts_[n].first_point = points;
+      for (std::size_t t = begin_of(n, count); t < begin_of(n + 1, count); ++t) {
+        progress_.tick(0, 1);
+        points += std::size_t(shape_.triangles[t].open[0] + shape_.triangles[t].open[1]);
+      }
+    }
+    point_.resize(2 * count);
+    out_.position.resize(points);
+    out_.blur.resize(points);
+    out_.code.resize(points);
     out_.bare.assign(balls, 0);
-    out_.position.reserve(count);
-    out_.blur.reserve(count);
-    out_.code.reserve(count);
-    for (std::size_t t = 0; t < count; ++t) {
-      progress_.tick(t, 4 * count);
+    in_parts(&Search::find_points);
+    for (const Part &p : parts_) out_.offset_points += p.offset_points;
+    start_.resize(3 * points);
+    end_.resize(3 * points);
+  }
+
+  void find_points(std::size_t n, Progress &progress) {
+    const std::size_t count = shape_.triangles.size();
+    Part &part = parts_[n];
+    part.corners.resize(shape_.vertex.size());
+    std::size_t point = part.first_point;
+    for (std::size_t t = begin_of(n, count); t < begin_of(n + 1, count); ++t) {
+      progress.tick(t, 4 * count);
       const DualShape::Triangle &triangle = shape_.triangles[t];
       if (!triangle.open[0] && !triangle.open[1]) continue;
       const auto &b = triangle.ball;
-      add_points(t, triangle_center(true_site(b[0]), true_site(b[1]), true_site(b[2])));
+      add_points(t, triangle_center(true_site(b[0]), true_site(b[1]), true_site(b[2])), part,
+                 point);
     }
-    start_.assign(3 * out_.position.size(), -1);
-    end_.assign(3 * out_.position.size(), -1);
   }
 
   static double chord_of(const Site &s, const Vec3 &y) {
@@ -90,8 +127,8 @@ private:
     return std::sqrt(std::max(0.0, (s.r - h) * (s.r + h)));
   }
 
-  /// On the open sides of a triangle.
-  void add_points(std::size_t t, const Vec3 &y) {
+  /// On the open sides of a triangle, number `point` and on.
+  void add_points(std::size_t t, const Vec3 &y, Part &part, std::size_t &point) {
     const auto &b = shape_.triangles[t].ball;
     const Site &p = true_site(b[0]), &q = true_site(b[1]), &r = true_site(b[2]);
     const Vec3 e = center_of(q) - center_of(p), f = center_of(r) - center_of(p), w = cross(e, f);
@@ -109,14 +146,15 @@ private:
     for (int side = 0; side < 2; ++side) {
       if (!shape_.triangles[t].open[side]) continue;
       const Vec3 at = side ? y + up : y - up; // from p's centre
-      add_corner(corners_[b[0]], at, e, f, w);
-      add_corner(corners_[b[1]], at - e, f - e, -e, w);
-      add_corner(corners_[b[2]], at - f, -f, e - f, w);
-      out_.offset_points += offset;
-      point_[2 * t + std::size_t(side)] = int32_t(out_.code.size());
-      out_.code.push_back(int32_t(2 * t) + side);
-      out_.position.push_back(center_of(p) + at);
-      out_.blur.push_back(blur < kMostBlur * p.r ? blur : kMostBlur * p.r);
+      add_corner(part.corners[b[0]], at, e, f, w);
+      add_corner(part.corners[b[1]], at - e, f - e, -e, w);
+      add_corner(part.corners[b[2]], at - f, -f, e - f, w);
+      part.offset_points += offset;
+      point_[2 * t + std::size_t(side)] = int32_t(point);
+      out_.code[point] = int32_t(2 * t) + side;
+      out_.position[point] = center_of(p) + at;
+      out_.blur[point] = blur < kMostBlur * p.r ? blur : kMostBlur * p.r;
+      ++point;
     }
   }
 
@@ -133,36 +171,64 @@ private:
 
   void make_spans() {
     const std::size_t count = shape_.edges.size();
-    const std::size_t most = out_.position.size() * 3 / 2; // three arcs meet in every point
-    out_.spans.reserve(most);
-    out_.from.reserve(2 * most);
-    out_.next.reserve(2 * most);
-    for (std::size_t e = 0; e < count; ++e) {
-      progress_.tick(count + e, 4 * count);
+    std::size_t spans = 0;
+    for (std::size_t n = 0; n < parts_.size(); ++n) {
+      parts_[n].first_span = spans;
+      for (std::size_t e = begin_of(n, count); e < begin_of(n + 1, count); ++e) {
+        progress_.tick(1, 4);
+        const DualShape::Edge &edge = shape_.edges[e];
+        spans += edge.begin == edge.end; // a whole circle
+        for (uint32_t t = edge.begin; t < edge.end; ++t) spans += shape_.turns[t].outside();
+      }
+    }
+    out_.spans.resize(spans);
+    out_.from.resize(2 * spans);
+    out_.next.resize(2 * spans);
+    in_parts(&Search::find_spans);
+    for (std::size_t b = 0; b < out_.bare.size(); ++b) {
+      AngleSum corners;
+      for (const Part &p : parts_) {
+        out_.bare[b] += p.bare[b];
+        corners.add(p.corners[b]);
+      }
+      out_.bare[b] -= corners.sum();
+    }
+    in_parts(&Search::link_sides);
+  }
+
+  void find_spans(std::size_t n, Progress &progress) {
+    const std::size_t count = shape_.edges.size();
+    Part &part = parts_[n];
+    part.bare.assign(out_.bare.size(), 0);
+    std::size_t span = part.first_span;
+    for (std::size_t e = begin_of(n, count); e < begin_of(n + 1, count); ++e) {
+      progress.tick(count + e, 4 * count);
       const DualShape::Edge &edge = shape_.edges[e];
       bool any = edge.begin == edge.end; // a whole circle
       for (uint32_t t = edge.begin; t < edge.end; ++t) any |= shape_.turns[t].outside();
       if (!any) continue;
       const Axis3 axis(shape_.site[edge.a], shape_.site[edge.b]);
-      if (edge.begin == edge.end) add_circle(uint32_t(e), axis);
+      if (edge.begin == edge.end) add_circle(uint32_t(e), axis, part, span++);
       for (uint32_t t = edge.begin; t < edge.end; ++t)
-        if (shape_.turns[t].outside()) add_arc(uint32_t(e), axis, t);
+        if (shape_.turns[t].outside()) add_arc(uint32_t(e), axis, t, part, span++);
     }
-    for (std::size_t b = 0; b < out_.bare.size(); ++b) out_.bare[b] -= corners_[b].sum();
-    for (std::size_t c = 0; c < start_.size(); ++c) {
-      progress_.tick(1, 1);
+  }
+
+  void link_sides(std::size_t n, Progress &progress) {
+    const std::size_t count = start_.size();
+    for (std::size_t c = begin_of(n, count); c < begin_of(n + 1, count); ++c) {
+      progress.tick(1, 1);
       out_.next[end_[c]] = start_[c];
     }
   }
 
-  void add_circle(uint32_t e, const Axis3 &axis) {
-    const int32_t side = int32_t(out_.from.size());
-    add_span({e, shape_.edges[e].end, 0, 2 * kPi, false}, axis, -1, -1);
-    out_.next[side] = side;
-    out_.next[side + 1] = side + 1;
+  void add_circle(uint32_t e, const Axis3 &axis, Part &part, std::size_t number) {
+    add_span({e, shape_.edges[e].end, 0, 2 * kPi, false}, axis, -1, -1, part, number);
+    out_.next[2 * number] = int32_t(2 * number);
+    out_.next[2 * number + 1] = int32_t(2 * number + 1);
   }
 
-  void add_arc(uint32_t e, const Axis3 &axis, uint32_t turn) {
+  void add_arc(uint32_t e, const Axis3 &axis, uint32_t turn, Part &part, std::size_t number) {
     const DualShape::Edge &edge = shape_.edges[e];
     const uint32_t next = next_turn(edge, turn);
     // From the triangle's singular point on the side of the wedge to the next one's; that side of
@@ -172,21 +238,22 @@ private:
                   last = point_[2 * u.triangle() + 1 - u.side()];
     Span span{e, turn, 0, 0, true};
     if (!find_by_ends(span, axis, first, last)) find_by_halves(span, axis);
-    const int32_t side = int32_t(out_.from.size());
-    add_span(span, axis, first, last);
+    add_span(span, axis, first, last, part, number);
+    const int32_t side = int32_t(2 * number);
     start_[corner(t.triangle(), first, edge.b)] = side + 1;
     end_[corner(u.triangle(), last, edge.b)] = side + 1;
     start_[corner(u.triangle(), last, edge.a)] = side;
     end_[corner(t.triangle(), first, edge.a)] = side;
   }
 
-  void add_span(const Span &span, const Axis3 &axis, int32_t first, int32_t last) {
+  void add_span(const Span &span, const Axis3 &axis, int32_t first, int32_t last, Part &part,
+                std::size_t number) {
     const DualShape::Edge &edge = shape_.edges[span.edge];
-    out_.bare[edge.a] += axis.height_a / shape_.site[edge.a].r * span.angle;
-    out_.bare[edge.b] += axis.height_b / shape_.site[edge.b].r * span.angle;
-    out_.spans.push_back(span);
-    out_.from.insert(out_.from.end(), {last, first});
-    out_.next.insert(out_.next.end(), {-1, -1});
+    part.bare[edge.a] += axis.height_a / shape_.site[edge.a].r * span.angle;
+    part.bare[edge.b] += axis.height_b / shape_.site[edge.b].r * span.angle;
+    out_.spans[number] = span;
+    out_.from[2 * number] = last;
+    out_.from[2 * number + 1] = first;
   }
 
   std::size_t corner(int32_t triangle, int32_t point, int32_t ball) const {
@@ -263,7 +330,7 @@ private:
   BoundaryMap out_;
   std::vector<int32_t> point_;       // by triangle and side
   std::vector<int32_t> start_, end_; // by singular point and ball of its triangle: sides
-  std::vector<AngleSum> corners_;    // of each ball's patches
+  std::vector<Part> parts_;
 };
 
 } // namespace

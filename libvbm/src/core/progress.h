@@ -14,7 +14,12 @@ namespace vbm::impl {
 class Progress {
 public:
   Progress() = default;
-  Progress(vbm_progress_fn callback, void *user) : callback_(callback), user_(user) {}
+  Progress(vbm_progress_fn callback, void *user, int threads = 0)
+      : callback_(callback), user_(user), threads_(threads) {}
+
+  /// How many threads the call may use, its own being one of them; 0 for as many as there are
+  /// processors.
+  int threads() const { return threads_; }
 
   /// Begin a stage that ends at `end` of the whole call. Always reports.
   void stage(const char *name, double end);
@@ -41,6 +46,7 @@ private:
 
   vbm_progress_fn callback_ = nullptr;
   void *user_ = nullptr;
+  int threads_ = 0;
   const char *name_ = "";
   double begin_ = 0, end_ = 0, last_ = 0;
   double part_begin_ = 0, part_end_ = 1;

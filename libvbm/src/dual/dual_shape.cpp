@@ -7,6 +7,7 @@
 #include "core/error.h"
 #include "core/progress.h"
 #include "core/tolerances.h"
+#include "core/workers.h"
 #include "dual/orthospheres.h"
 #include "surface/arrange_cells.h"
 
@@ -15,43 +16,69 @@ namespace {
 
 using Cell = PowerDiagram::Cell;
 
+/// Cells from which on two threads are worth it.
+constexpr std::size_t kManyCells = 4000;
+
 class Search {
 public:
-  Search(DualShape &shape, Progress &progress) : shape_(shape), progress_(progress) {}
+  Search(DualShape &shape, Progress &progress)
+      : shape_(shape), progress_(progress), parts_(shape.cells.size() < kManyCells ? 1 : 2) {}
 
   void run() {
-    find_tetrahedra();
-    find_triangles();
-    find_edges();
+    const std::size_t count = shape_.cells.size();
+    shape_.cell_in.resize(count);
+    shape_.facet_in.resize(count);
+    turn_.assign(4 * count, kNoTriangle);
+    in_parts(&Search::find_tetrahedra);
+    in_parts(&Search::find_triangles);
+    join_triangles();
+    in_parts(&Search::find_edges);
+    join_edges();
     find_vertices();
   }
 
 private:
+  static constexpr uint32_t kNoTriangle = UINT32_MAX;
+
+  /// What is found from the cells of one of several parts.
+  struct Part {
+    std::size_t begin, end; // cells
+    std::vector<DualShape::Triangle> triangles;
+    std::vector<DualShape::Edge> edges;
+    std::vector<DualShape::Turn> turns;
+  };
+
   const Site &site(int32_t ball) const { return shape_.site[ball]; }
   bool all_real(const Cell &c) const {
     return shape_.real(c.ball[0]) && shape_.real(c.ball[1]) && shape_.real(c.ball[2]) &&
            shape_.real(c.ball[3]);
   }
 
-  void find_tetrahedra() {
-    shape_.cell_in.assign(shape_.cells.size(), 0);
-    for (std::size_t c = 0; c < shape_.cells.size(); ++c) {
-      progress_.tick(c, 4 * shape_.cells.size());
+  void in_parts(void (Search::*find)(Part &, Progress &)) {
+    run_parts(int(parts_.size()), progress_, [&](int n, Progress &progress) {
+      Part &part = parts_[std::size_t(n)];
+      part.begin = shape_.cells.size() * std::size_t(n) / parts_.size();
+      part.end = shape_.cells.size() * std::size_t(n + 1) / parts_.size();
+      (this->*find)(part, progress);
+    });
+  }
+
+  void find_tetrahedra(Part &part, Progress &progress) {
+    for (std::size_t c = part.begin; c < part.end; ++c) {
+      progress.tick(c, 4 * part.end);
       const Cell &cell = shape_.cells[c];
-      if (!all_real(cell)) continue;
-      shape_.cell_in[c] = tetrahedron_meets(site(cell.ball[0]), site(cell.ball[1]),
-                                            site(cell.ball[2]), site(cell.ball[3]));
+      shape_.cell_in[c] =
+          all_real(cell) && tetrahedron_meets(site(cell.ball[0]), site(cell.ball[1]),
+                                              site(cell.ball[2]), site(cell.ball[3]));
     }
   }
 
   /// A triangle is in the shape with a tetrahedron of it, or if its balls meet where no ball of
-  /// those tetrahedra is nearer.
-  void find_triangles() {
-    triangle_.assign(4 * shape_.cells.size(), -1);
-    shape_.facet_in.assign(shape_.cells.size(), 0);
-    shape_.triangles.reserve(shape_.cells.size()); // rarely more
-    for (std::size_t c = 0; c < shape_.cells.size(); ++c) {
-      progress_.tick(shape_.cells.size() + c, 4 * shape_.cells.size());
+  /// those tetrahedra is nearer. It is found from the first of its tetrahedra.
+  void find_triangles(Part &part, Progress &progress) {
+    part.triangles.reserve(part.end - part.begin); // rarely more
+    for (std::size_t c = part.begin; c < part.end; ++c) {
+      progress.tick(part.end + c, 4 * part.end);
       const Cell &cell = shape_.cells[c];
       for (int i = 0; i < 4; ++i) {
         const int32_t code = int32_t(4 * c) + i, other = cell.neighbor[i];
@@ -64,10 +91,9 @@ private:
           if (!triangle_alone(ball, cell.ball[i], shape_.cells[other >> 2].ball[other & 3]))
             continue;
         }
-        triangle_[code] = triangle_[other] = int32_t(shape_.triangles.size());
-        shape_.facet_in[c] |= uint8_t(1 << i);
-        shape_.facet_in[other >> 2] |= uint8_t(1 << (other & 3));
-        shape_.triangles.push_back({ball, code, {uint8_t(!in0), uint8_t(!in1)}});
+        turn_[code] = 4 * uint32_t(part.triangles.size());
+        turn_[other] = turn_[code] + 2;
+        part.triangles.push_back({ball, code, {uint8_t(!in0), uint8_t(!in1)}});
       }
     }
   }
@@ -78,48 +104,97 @@ private:
                                 shape_.real(q) ? &site(q) : nullptr);
   }
 
-  /// Every edge once: a bit for each of a tetrahedron's six says that it is done.
-  void find_edges() {
-    std::vector<uint8_t> done(shape_.cells.size(), 0);
-    shape_.turns.reserve(3 * shape_.triangles.size());
-    shape_.edges.reserve(shape_.cells.size());
-    for (std::size_t c = 0; c < shape_.cells.size(); ++c) {
-      progress_.tick(2 * shape_.cells.size() + c, 4 * shape_.cells.size());
+  void join_triangles() {
+    std::vector<DualShape::Triangle> &all = shape_.triangles;
+    all.swap(parts_[0].triangles);
+    for (std::size_t n = 1; n < parts_.size(); ++n) {
+      const uint32_t before = uint32_t(all.size());
+      for (const DualShape::Triangle &t : parts_[n].triangles) {
+        progress_.tick(2, 4);
+        turn_[t.code] += 4 * before;
+        turn_[shape_.cells[t.code >> 2].neighbor[t.code & 3]] += 4 * before;
+      }
+      all.insert(all.end(), parts_[n].triangles.begin(), parts_[n].triangles.end());
+      parts_[n].triangles = {};
+    }
+  }
+
+  /// Every edge once, from the first of its tetrahedra: a bit for each of a tetrahedron's six says
+  /// that it is done.
+  void find_edges(Part &part, Progress &progress) {
+    std::vector<uint8_t> done(part.end - part.begin, 0);
+    part.turns.reserve(3 * shape_.triangles.size() / parts_.size());
+    part.edges.reserve((part.end - part.begin) * 3 / 4);
+    for (std::size_t c = part.begin; c < part.end; ++c) {
+      progress.tick(2 * part.end + c, 4 * part.end);
+      for (int k = 0; k < 4; ++k)
+        shape_.facet_in[c] |= uint8_t((turn_[4 * c + std::size_t(k)] != kNoTriangle) << k);
       const Cell &cell = shape_.cells[c];
       for (int i = 0; i < 4; ++i)
         for (int j = i + 1; j < 4; ++j) {
-          if (done[c] & kEdgeBit[i][j]) continue;
-          if (!shape_.real(cell.ball[i]) || !shape_.real(cell.ball[j])) continue;
-          turn_about(int32_t(c), cell.ball[i], cell.ball[j], done);
+          if (done[c - part.begin] & kEdgeBit[i][j]) continue;
+          if (shape_.real(cell.ball[i]) && shape_.real(cell.ball[j]))
+            turn_about(part, done, int32_t(c), i, j);
         }
     }
   }
 
-  void turn_about(int32_t first, int32_t a, int32_t b, std::vector<uint8_t> &done) {
-    const uint32_t begin = uint32_t(shape_.turns.size());
-    around_.clear();
+  /// About the edge from a tetrahedron's ball i to its ball j.
+  void turn_about(Part &part, std::vector<uint8_t> &done, int32_t first, int i, int j) {
+    const uint32_t begin = uint32_t(part.turns.size());
+    const int32_t a = shape_.cells[first].ball[i], b = shape_.cells[first].ball[j];
+    bool is_first = true;
+    int32_t at = first;
+    int k = kTurn[i][j], l = 6 - i - j - k;
+    do {
+      if (const uint32_t turn = turn_[4 * at + l]; turn != kNoTriangle)
+        part.turns.push_back({turn + !shape_.cell_in[at]});
+      if (std::size_t(at) < part.begin)
+        is_first = false;
+      else if (std::size_t(at) < part.end)
+        done[std::size_t(at) - part.begin] |= kEdgeBit[i][j];
+      const int32_t code = shape_.cells[at].neighbor[k];
+      at = code >> 2;
+      l = code & 3;
+      i = index_of(shape_.cells[at], a);
+      j = kTurn[i][l];
+      k = kTurn[i][j];
+    } while (at != first);
+    if (!is_first) { // of a part before
+      part.turns.resize(begin);
+      return;
+    }
+    const uint32_t end = uint32_t(part.turns.size());
+    if (begin == end && !edge_alone(a, b, first)) return;
+    part.edges.push_back({a, b, first, begin, end});
+  }
+
+  bool edge_alone(int32_t a, int32_t b, int32_t first) const {
+    if (!edge_meets(site(a), site(b))) return false;
     int32_t at = first;
     do {
       const Cell &cell = shape_.cells[at];
-      const int i = index_of(cell, a), j = index_of(cell, b), k = kTurn[i][j], l = 6 - i - j - k;
-      done[at] |= kEdgeBit[i][j];
-      around_.push_back(cell.ball[k]);
-      if (const int32_t t = triangle_[4 * at + l]; t >= 0) {
-        const uint32_t side = shape_.triangles[t].code == 4 * at + l ? 0 : 2;
-        shape_.turns.push_back({4 * uint32_t(t) + side + !shape_.cell_in[at]});
-      }
+      const int k = kTurn[index_of(cell, a)][index_of(cell, b)];
+      const int32_t p = cell.ball[k];
+      if (shape_.real(p) && hides_edge(site(a), site(b), site(p))) return false;
       at = cell.neighbor[k] >> 2;
     } while (at != first);
-    const uint32_t end = uint32_t(shape_.turns.size());
-    if (begin == end && !edge_alone(a, b)) return;
-    shape_.edges.push_back({a, b, first, begin, end});
+    return true;
   }
 
-  bool edge_alone(int32_t a, int32_t b) const {
-    if (!edge_meets(site(a), site(b))) return false;
-    for (int32_t p : around_)
-      if (shape_.real(p) && hides_edge(site(a), site(b), site(p))) return false;
-    return true;
+  void join_edges() {
+    shape_.edges.swap(parts_[0].edges);
+    shape_.turns.swap(parts_[0].turns);
+    for (std::size_t n = 1; n < parts_.size(); ++n) {
+      const uint32_t before = uint32_t(shape_.turns.size());
+      shape_.turns.insert(shape_.turns.end(), parts_[n].turns.begin(), parts_[n].turns.end());
+      for (DualShape::Edge &e : parts_[n].edges) {
+        progress_.tick(3, 4);
+        e.begin += before;
+        e.end += before;
+        shape_.edges.push_back(e);
+      }
+    }
   }
 
   void find_vertices() {
@@ -152,8 +227,8 @@ private:
 
   DualShape &shape_;
   Progress &progress_;
-  std::vector<int32_t> triangle_; // by cell and facet
-  std::vector<int32_t> around_;   // balls round the edge at work
+  std::vector<Part> parts_;
+  std::vector<uint32_t> turn_; // by cell and facet: 4 * triangle + 2 * side
 };
 
 } // namespace
