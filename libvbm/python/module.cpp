@@ -4,6 +4,7 @@
 #include "files.h"
 #include "errors.h"
 #include "options.h"
+#include "progress.h"
 #include "reports.h"
 
 namespace {
@@ -38,6 +39,7 @@ PYBIND11_MODULE(vbm, module) {
   module.attr("abi_version") = vbm_abi_version();
   bind_errors(module);
   bind_reports(module);
+  bind_threads(module);
   bind_surface(module);
   bind_axis(module);
   bind_medial_mesh(module);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "progress.h"
 
+#include <atomic>
 #include <chrono>
 #include <memory>
 
@@ -11,6 +12,8 @@ namespace {
 using Clock = std::chrono::steady_clock;
 // Without a callback the GIL is wanted for Ctrl-C only: often enough for people.
 constexpr std::chrono::milliseconds kSignalInterval{50};
+
+std::atomic<int> threads{0};
 
 bool on_main_thread() {
   const auto threading = py::module_::import("threading");
@@ -27,6 +30,16 @@ bool report(const py::object &callback, double fraction, const char *stage) {
 }
 
 } // namespace
+
+int most_threads() { return threads; }
+
+void bind_threads(py::module_ &module) {
+  module.def(
+      "set_threads", [](int most) { threads = most; }, py::arg("most"),
+      "set_threads(most)\n--\n\n"
+      "Calls from here on work with no more than `most` threads at once, the calling one included; with 0,\n"
+      "as at first, with as many as there are processors. Results are the same with any number.");
+}
 
 const char *const kProgressDoc =
     "  progress        callable(fraction, stage): fraction goes from 0 to 1 and never down, stage\n"

@@ -203,3 +203,21 @@ def test_ctrl_c(progress):
         assert process.communicate(timeout=60) == ("", "") and process.returncode == 0
     finally:
         process.kill()
+
+
+def test_any_number_of_threads():
+    rng = np.random.default_rng(5)
+    centers, radii = rng.random((2000, 3)), rng.uniform(0.02, 0.06, 2000)
+
+    def surface():
+        made = vbm.surface_from_balls(centers, radii)
+        return made.vertices.tobytes() + made.triangles.tobytes()
+
+    try:
+        results = []
+        for most in (1, 2, 0, -1):
+            vbm.set_threads(most)
+            results.append(surface())
+    finally:
+        vbm.set_threads(0)
+    assert len(set(results)) == 1

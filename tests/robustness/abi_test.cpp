@@ -65,6 +65,7 @@ TEST_F(Abi, NoContext) {
   vbm_context_bad_elements(nullptr, nullptr, nullptr, nullptr);
   vbm_context_bad_elements(context, nullptr, nullptr, nullptr);
   vbm_context_set_progress(nullptr, nullptr, nullptr);
+  vbm_context_set_threads(nullptr, 1);
   model = reinterpret_cast<vbm_model *>(this);
   EXPECT_EQ(points_of(torus)(nullptr, nullptr, &model), VBM_ERROR_ARGUMENT);
   EXPECT_EQ(model, nullptr);

@@ -18,7 +18,8 @@
  *   - Lengths are in the input's own units. Radii are radii, never squared weights.
  *   - One context is used by one thread at a time; contexts are independent of each other.
  *     Finished models and surfaces are immutable and may be read from any thread.
- *   - Same input and same options give the same bytes, on every host and in every thread.
+ *   - Same input and same options give the same bytes, on every host, in every thread, and with
+ *     however many threads a call works.
  *   - Option and report structs start with their own size. Fill options with their init function.
  *     A struct from an older header is accepted (missing fields take their defaults), and so is one
  *     from a newer header (fields this library does not know are ignored).
@@ -95,6 +96,11 @@ VBM_API const int64_t *vbm_context_bad_elements(const vbm_context *context, cons
  * The callback must not call into the same context. NULL removes it. */
 typedef int (*vbm_progress_fn)(void *user, double fraction, const char *stage);
 VBM_API void vbm_context_set_progress(vbm_context *context, vbm_progress_fn progress, void *user);
+
+/* Threads: calls with this context work with no more than `most` of them at once, the calling one
+ * included; with 0 or less, as at first, with as many as the machine has processors. Those that are
+ * started take no signals and have ended when the call returns. */
+VBM_API void vbm_context_set_threads(vbm_context *context, int32_t most);
 
 /* ---- Building a ball model (thesis 3.1) ------------------------------------------------------ */
 

@@ -101,6 +101,9 @@ public:
     vbm_context_set_progress(handle(), state_->progress ? &State::call : nullptr, state_.get());
   }
 
+  /// See vbm_context_set_threads().
+  void set_threads(int most) { vbm_context_set_threads(handle(), most); }
+
   /// Throw what a finished call has to say, if anything: the functions below do it themselves.
   void check(vbm_status status) {
     if (std::exception_ptr thrown = std::exchange(state_->thrown, nullptr))

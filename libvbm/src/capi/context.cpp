@@ -59,4 +59,8 @@ void vbm_context_set_progress(vbm_context *context, vbm_progress_fn progress, vo
   context->user = user;
 }
 
+void vbm_context_set_threads(vbm_context *context, int32_t most) {
+  if (context) context->threads = most > 0 ? most : 0;
+}
+
 } // extern "C"

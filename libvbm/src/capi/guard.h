@@ -37,7 +37,7 @@ template <class Body> vbm_status guarded(vbm_context *context, Body &&body) noex
   clear_error(*context);
   try {
     const FloatingPointGuard floating_point;
-    Progress progress(context->progress, context->user);
+    Progress progress(context->progress, context->user, context->threads);
     body(progress);
     return VBM_OK;
   } catch (...) {
@@ -54,7 +54,7 @@ vbm_status guarded(vbm_context *context, Handle **out, Body &&body) noexcept {
   try {
     if (!out) throw Error(VBM_ERROR_ARGUMENT, "out is NULL");
     const FloatingPointGuard floating_point;
-    Progress progress(context->progress, context->user);
+    Progress progress(context->progress, context->user, context->threads);
     Handle *handle = body(progress);
     try {
       progress.finish();

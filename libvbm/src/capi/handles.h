@@ -18,6 +18,7 @@
 struct vbm_context {
   vbm_progress_fn progress = nullptr;
   void *user = nullptr;
+  int threads = 0; // at most, 0 for as many as there are processors
 
   // About the last call. `text` is what vbm_context_message() returns: `message`, or a literal when
   // there was no memory left to compose one.

@@ -63,6 +63,11 @@ private:
     });
   }
 
+  /// The first part's lists have room for those of all.
+  std::size_t room_of(const Part &part) const {
+    return part.begin == 0 ? shape_.cells.size() : part.end - part.begin;
+  }
+
   void find_tetrahedra(Part &part, Progress &progress) {
     for (std::size_t c = part.begin; c < part.end; ++c) {
       progress.tick(c, 4 * part.end);
@@ -76,7 +81,7 @@ private:
   /// A triangle is in the shape with a tetrahedron of it, or if its balls meet where no ball of
   /// those tetrahedra is nearer. It is found from the first of its tetrahedra.
   void find_triangles(Part &part, Progress &progress) {
-    part.triangles.reserve(part.end - part.begin); // rarely more
+    part.triangles.reserve(room_of(part)); // rarely more
     for (std::size_t c = part.begin; c < part.end; ++c) {
       progress.tick(part.end + c, 4 * part.end);
       const Cell &cell = shape_.cells[c];
@@ -123,8 +128,8 @@ private:
   /// that it is done.
   void find_edges(Part &part, Progress &progress) {
     std::vector<uint8_t> done(part.end - part.begin, 0);
-    part.turns.reserve(3 * shape_.triangles.size() / parts_.size());
-    part.edges.reserve((part.end - part.begin) * 3 / 4);
+    part.turns.reserve(3 * room_of(part) * shape_.triangles.size() / shape_.cells.size());
+    part.edges.reserve(room_of(part));
     for (std::size_t c = part.begin; c < part.end; ++c) {
       progress.tick(2 * part.end + c, 4 * part.end);
       for (int k = 0; k < 4; ++k)

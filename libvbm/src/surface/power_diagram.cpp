@@ -32,7 +32,9 @@ constexpr std::size_t kMaxCells = std::size_t(1) << 29; // 4 * cell + facet fits
 
 class Builder {
 public:
-  Builder(std::vector<Site> sites) : site_(std::move(sites)), place_(site_.size()) {}
+  Builder(std::vector<Site> sites) : site_(std::move(sites)), place_(site_.size(), Place{-1, 0}) {
+    make_room(64);
+  }
 
   /// Sites 0 to 3 are the far corners, positively oriented; insert the others in their order.
   void build(Progress &progress) {
@@ -81,8 +83,8 @@ private:
     if (!conflict(cell_[first], p)) return; // hidden
     find_conflicts(ball, first);
     fill_hole(ball);
-    for (int32_t c : conflict_) free_.push_back(c);
-    last_ = made_.back();
+    free_.insert(free_.end(), conflict_.begin(), conflict_.begin() + std::ptrdiff_t(found_));
+    last_ = made_[around_ - 1];
   }
 
   // While a ball is inserted, the top bit of ball[0] marks a cell found in conflict, that of
@@ -92,106 +94,119 @@ private:
   /// All cells in conflict, which are connected, and the facets around them.
   void find_conflicts(int32_t ball, int32_t first) {
     const Site &p = site_[ball];
-    conflict_.assign(1, first);
-    entry_.assign(1, -1);
-    cell_[first].ball[0] |= kMark;
+    const Site *const site = site_.data();
+    Cell *const cell = cell_.data();
+    int32_t *conflict = conflict_.data(), *entry = entry_.data(), *boundary = boundary_.data();
+    std::size_t room = conflict_.size(), found = 1, around = 0;
+    conflict[0] = first;
+    entry[0] = -1;
+    cell[first].ball[0] |= kMark;
     // What a test finds is as good as random, so nothing is branched on it: both lists are written
     // to, and only one of them grows.
-    std::size_t found = 1, around = 0;
     for (std::size_t k = 0; k < found; ++k) {
-      if (conflict_.size() < found + 4) {
-        conflict_.resize(2 * found + 64);
-        entry_.resize(2 * found + 64);
+      if (found + 4 > room || around + 4 > room) {
+        room = 2 * room;
+        make_room(room);
+        conflict = conflict_.data(), entry = entry_.data(), boundary = boundary_.data();
       }
-      if (boundary_.size() < around + 4) boundary_.resize(2 * around + 64);
-      const int32_t at = conflict_[k];
-      const std::array<int32_t, 4> neighbor = cell_[at].neighbor;
+      const int32_t at = conflict[k], entered = entry[k];
       for (int i = 0; i < 4; ++i) {
-        if (i == entry_[k]) continue;
-        const int32_t code = neighbor[i];
-        bool in = false;
+        if (i == entered) continue;
+        const int32_t code = cell[at].neighbor[i];
+        int32_t in = 0;
         if (code >= 0) {
-          Cell &next = cell_[code >> 2];
+          Cell &next = cell[code >> 2];
           in = next.ball[0] < 0;
           if ((next.ball[0] | next.ball[1]) >= 0) {
-            in = conflict(next, p);
-            next.ball[in ? 0 : 1] |= kMark;
-            conflict_[found] = code >> 2;
-            entry_[found] = code & 3;
-            found += in;
-            for (int32_t ahead : next.neighbor) prefetch(&cell_[std::max(ahead, 0) >> 2]);
+            in = power_side(site[next.ball[0]], site[next.ball[1]], site[next.ball[2]],
+                            site[next.ball[3]], p) > 0;
+            next.ball[1 - in] |= kMark;
+            conflict[found] = code >> 2;
+            entry[found] = code & 3;
+            found += std::size_t(in);
+            for (int32_t ahead : next.neighbor) prefetch(cell + (std::max(ahead, 0) >> 2));
           }
         }
-        boundary_[around] = at * 4 + i;
-        around += !in;
+        boundary[around] = at * 4 + i;
+        around += std::size_t(1 - in);
       }
     }
-    conflict_.resize(found);
-    boundary_.resize(around);
-    for (int32_t c : conflict_) cell_[c].ball[0] &= ~kMark;
+    found_ = found;
+    around_ = around;
+    for (std::size_t k = 0; k < found; ++k) cell[conflict[k]].ball[0] &= ~kMark;
   }
 
-  int32_t new_cell() {
-    if (!free_.empty()) {
-      const int32_t c = free_.back();
-      free_.pop_back();
-      return c;
+  void make_room(std::size_t room) {
+    conflict_.resize(room);
+    entry_.resize(room);
+    boundary_.resize(room);
+  }
+
+  void take_cells() {
+    made_.resize(std::max(made_.size(), around_));
+    for (std::size_t k = 0; k < around_; ++k) {
+      if (!free_.empty()) {
+        made_[k] = free_.back();
+        free_.pop_back();
+        continue;
+      }
+      if (cell_.size() >= kMaxCells)
+        throw Error(VBM_ERROR_LIMIT, "the power diagram needs more than half a billion tetrahedra");
+      made_[k] = int32_t(cell_.size());
+      cell_.emplace_back();
     }
-    if (cell_.size() >= kMaxCells)
-      throw Error(VBM_ERROR_LIMIT, "the power diagram needs more than half a billion tetrahedra");
-    cell_.emplace_back();
-    return int32_t(cell_.size()) - 1;
   }
 
   /// Join every boundary facet to the new ball. Two new cells are neighbours where their facets on
   /// the hole's boundary share an edge, which runs through the two in opposite directions.
   void fill_hole(int32_t ball) {
-    made_.clear();
-    rim_.clear();
-    for (int32_t facet : boundary_) {
-      const int32_t t = new_cell();
-      const Cell &old = cell_[facet >> 2];
-      const int i = facet & 3;
-      Cell &fresh = cell_[t];
+    take_cells();
+    corner_.resize(std::max(corner_.size(), around_));
+    const int32_t *const boundary = boundary_.data(), *const made = made_.data();
+    Cell *const cell = cell_.data();
+    Place *const place = place_.data();
+    std::array<uint32_t, 3> *const corner = corner_.data();
+    uint32_t sites = 0; // on the hole's boundary, numbered in the order of first sight
+    for (std::size_t k = 0; k < around_; ++k) {
+      const int32_t t = made[k];
+      const Cell &old = cell[boundary[k] >> 2];
+      const int i = boundary[k] & 3;
+      Cell &fresh = cell[t];
+      for (int c = 0; c < 3; ++c) {
+        Place &at = place[old.ball[kFacet[i][c]]];
+        if (at.ball != ball) at = {ball, sites++};
+        corner[k][c] = at.number;
+      }
       fresh.ball = old.ball;
       fresh.ball[i] = ball;
       const int32_t outside = old.neighbor[i];
       fresh.neighbor[i] = outside;
       if (outside >= 0) {
-        cell_[outside >> 2].neighbor[outside & 3] = t * 4 + i;
-        cell_[outside >> 2].ball[1] &= ~kMark;
+        cell[outside >> 2].neighbor[outside & 3] = t * 4 + i;
+        cell[outside >> 2].ball[1] &= ~kMark;
       }
-      made_.push_back(t);
-      for (int k : kFacet[i]) place(fresh.ball[k]);
     }
-    if (rim_.size() <= kTable)
+    if (sites <= kTable)
       link_by_table();
     else
       link_by_turning();
   }
 
-  /// The number of a site on the hole's boundary, in the order of first sight.
-  uint32_t place(int32_t site) {
-    const uint32_t at = place_[site];
-    if (at < rim_.size() && rim_[at] == site) return at;
-    place_[site] = uint32_t(rim_.size());
-    rim_.push_back(site);
-    return place_[site];
-  }
-
   void link_by_table() {
-    for (std::size_t k = 0; k < boundary_.size(); ++k) {
-      const int(&f)[3] = kFacet[boundary_[k] & 3];
-      const std::array<int32_t, 4> &b = cell_[made_[k]].ball;
-      const uint32_t v[3] = {place_[b[f[0]]], place_[b[f[1]]], place_[b[f[2]]]};
-      table_[v[0]][v[1]] = made_[k] * 4 + f[2];
-      table_[v[1]][v[2]] = made_[k] * 4 + f[0];
-      table_[v[2]][v[0]] = made_[k] * 4 + f[1];
+    const int32_t *const boundary = boundary_.data(), *const made = made_.data();
+    const std::array<uint32_t, 3> *const corner = corner_.data();
+    Cell *const cell = cell_.data();
+    for (std::size_t k = 0; k < around_; ++k) {
+      const int(&f)[3] = kFacet[boundary[k] & 3];
+      const std::array<uint32_t, 3> &v = corner[k];
+      table_[v[0]][v[1]] = made[k] * 4 + f[2];
+      table_[v[1]][v[2]] = made[k] * 4 + f[0];
+      table_[v[2]][v[0]] = made[k] * 4 + f[1];
     }
-    for (std::size_t k = 0; k < boundary_.size(); ++k) {
-      const int(&f)[3] = kFacet[boundary_[k] & 3];
-      Cell &c = cell_[made_[k]];
-      const uint32_t v[3] = {place_[c.ball[f[0]]], place_[c.ball[f[1]]], place_[c.ball[f[2]]]};
+    for (std::size_t k = 0; k < around_; ++k) {
+      const int(&f)[3] = kFacet[boundary[k] & 3];
+      const std::array<uint32_t, 3> &v = corner[k];
+      Cell &c = cell[made[k]];
       c.neighbor[f[2]] = table_[v[1]][v[0]];
       c.neighbor[f[0]] = table_[v[2]][v[1]];
       c.neighbor[f[1]] = table_[v[0]][v[2]];
@@ -201,9 +216,9 @@ private:
   /// For large holes: turn about each edge through the hole's old cells, from one facet on its
   /// boundary to the other. A facet's neighbor is ~(the new cell on it) meanwhile.
   void link_by_turning() {
-    for (std::size_t k = 0; k < boundary_.size(); ++k)
+    for (std::size_t k = 0; k < around_; ++k)
       cell_[boundary_[k] >> 2].neighbor[boundary_[k] & 3] = ~made_[k];
-    for (std::size_t k = 0; k < boundary_.size(); ++k)
+    for (std::size_t k = 0; k < around_; ++k)
       for (int j : kFacet[boundary_[k] & 3]) {
         int32_t at = boundary_[k] >> 2, code;
         int in = boundary_[k] & 3, out = j;
@@ -222,13 +237,21 @@ private:
 
   std::vector<Site> site_;
   std::vector<Cell> cell_;
-  std::vector<int32_t> free_, conflict_, boundary_, made_;
-  std::vector<int32_t> entry_;  // of each cell in conflict_, the facet it was found through
-  std::vector<int32_t> rim_;    // sites round the hole
-  std::vector<uint32_t> place_; // of each site in rim_, if it is there
-  int32_t table_[kTable]
-                [kTable]; // by the ends of a boundary edge: the new cell and facet behind it
-  int32_t last_ = 0;      // where the next walk begins
+  std::vector<int32_t> free_;
+  // Of the ball at work: cells in conflict, and the facet each was found through; facets round
+  // them, the new cells there, and the numbers of their corners. Longer than what they hold.
+  std::vector<int32_t> conflict_, entry_, boundary_, made_;
+  std::vector<std::array<uint32_t, 3>> corner_;
+  std::size_t found_ = 0, around_ = 0;
+  /// A site's number on the boundary of the hole of the ball it was last on.
+  struct Place {
+    int32_t ball;
+    uint32_t number;
+  };
+  std::vector<Place> place_;
+  /// By the ends of a boundary edge: the new cell and facet behind it.
+  int32_t table_[kTable][kTable];
+  int32_t last_ = 0; // where the next walk begins
 };
 
 } // namespace
