@@ -11,8 +11,10 @@
 
 namespace vbm::impl {
 
-ComplexEditor::ComplexEditor(PatchComplex &c, const DualShape &dual, MergedPoints vertices)
-    : complex(c), shape(dual), points(std::move(vertices)), alive_(c.darts.size(), 1) {
+ComplexEditor::ComplexEditor(PatchComplex &c, const DualShape &dual, const BoundaryMap &map,
+                             MergedPoints vertices)
+    : complex(c), shape(dual), points(std::move(vertices)), singular_(map.position),
+      alive_(c.darts.size(), 1) {
   list_first_darts();
 }
 
@@ -168,14 +170,16 @@ Vec3 ComplexEditor::piece_point(int32_t d, double angle, const Vec3 &p) {
   const PatchComplex::Arc &arc = complex.arcs[dart.arc];
   const int32_t begin = dart.forward ? from(d) : to(d), end = dart.forward ? to(d) : from(d);
   const double span = arc.to - arc.from, w = span > 0 ? (angle - arc.from) / span : 0;
-  const Vec3 moved_begin = points.at(begin) - arc.begin, moved_end = points.at(end) - arc.end;
+  const Vec3 moved_begin = points.at(begin) - place(arc.begin),
+             moved_end = points.at(end) - place(arc.end);
   return p + moved_begin * (1 - w) + moved_end * w;
 }
 
 /// Two copies of an arc, the part a dart begins with and the rest.
 void ComplexEditor::divide(PatchComplex::Arc &near, PatchComplex::Arc &far, bool forward,
-                           double angle) const {
-  const Vec3 p = PatchComplex::point(complex.circles[near.circle], angle);
+                           double angle) {
+  const int32_t p = int32_t(singular_.size() + complex.position.size());
+  complex.position.push_back(PatchComplex::point(complex.circles[near.circle], angle));
   PatchComplex::Arc &low = forward ? near : far, &high = forward ? far : near;
   low.to = high.from = angle;
   low.end = high.begin = p;
@@ -242,7 +246,7 @@ void ComplexEditor::join(int32_t d) {
   const PatchComplex::Arc &a = complex.arcs[darts[before].arc], &b = complex.arcs[darts[d].arc];
   if (a.circle == b.circle && darts[before].forward == darts[d].forward) {
     const PatchComplex::Arc &low = a.from < b.from ? a : b, &high = a.from < b.from ? b : a;
-    const PatchComplex::Arc both{a.circle, low.from, high.to, low.begin, high.end};
+    const PatchComplex::Arc both{a.circle, low.begin, high.end, low.from, high.to};
     if (darts[t].arc == darts[d].arc) darts[t].arc = int32_t(complex.arcs.size());
     darts[before].arc = int32_t(complex.arcs.size());
     complex.arcs.push_back(both);

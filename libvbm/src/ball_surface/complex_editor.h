@@ -18,8 +18,9 @@ class ComplexEditor {
 public:
   using Dart = PatchComplex::Dart;
 
-  /// `points` are the complex's vertices.
-  ComplexEditor(PatchComplex &complex, const DualShape &shape, MergedPoints points);
+  /// `points` are the complex's vertices, of which the map has the first.
+  ComplexEditor(PatchComplex &complex, const DualShape &shape, const BoundaryMap &map,
+                MergedPoints points);
 
   bool alive(int32_t d) const { return alive_[d] != 0; }
   /// The vertex a dart begins at, of all that became one.
@@ -65,8 +66,13 @@ private:
   void fill_loop(int32_t patch);
   void trim(int32_t d);
   void close_mouth(int32_t patch, double bulge);
-  void divide(PatchComplex::Arc &near, PatchComplex::Arc &far, bool forward, double angle) const;
+  void divide(PatchComplex::Arc &near, PatchComplex::Arc &far, bool forward, double angle);
+  const Vec3 &place(int32_t i) const {
+    const std::size_t known = singular_.size();
+    return std::size_t(i) < known ? singular_[i] : complex.position[std::size_t(i) - known];
+  }
 
+  const std::vector<Vec3> &singular_; // places of the map's points
   std::vector<uint8_t> alive_;
   std::vector<int32_t> first_, work_; // per patch one of its darts; patches to look at
 };

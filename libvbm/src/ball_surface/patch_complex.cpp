@@ -23,8 +23,6 @@ public:
         progress_(progress) {}
 
   PatchComplex run() {
-    out_.position.reserve(map_.position.size() * 5 / 4); // some will be within arcs
-    out_.position = map_.position;
     out_.bare = map_.bare;
     out_.finer = map_.finer;
     const std::size_t left =
@@ -32,14 +30,16 @@ public:
     out_.circles.reserve(left);
     out_.arcs.reserve(2 * left); // some will be cut in two
     out_.darts.reserve(4 * left);
-    first_.assign(map_.from.size(), -1);
-    last_.assign(map_.from.size(), -1);
-    for (std::size_t s = 0; s < map_.spans.size(); ++s) {
-      progress_.tick(s, 2 * map_.spans.size());
-      if (!contracted_[s]) add_span(s);
-    }
+    out_.patches.reserve(map_.patches.size());
     for (const BoundaryMap::Patch &p : map_.patches)
       out_.patches.push_back({p.ball, p.loops, 0, p.wraps});
+    begin_.reserve(map_.spans.size() + 1);
+    for (std::size_t s = 0; s < map_.spans.size(); ++s) {
+      progress_.tick(s, 2 * map_.spans.size());
+      begin_.push_back(int32_t(out_.darts.size()));
+      if (!contracted_[s]) add_span(s);
+    }
+    begin_.push_back(int32_t(out_.darts.size()));
     link();
     return std::move(out_);
   }
@@ -51,7 +51,8 @@ private:
     const BoundaryMap::Span &span = map_.spans[s];
     const DualShape::Edge &edge = shape_.edges[span.edge];
     const Axis3 axis(shape_.site[edge.a], shape_.site[edge.b]);
-    Circle circle{span.edge, axis.center, {}, axis.direction};
+    out_.circles.push_back({span.edge, axis.center, {}, axis.direction});
+    Circle &circle = out_.circles.back();
     int32_t first = map_.from[2 * s + 1], last = map_.from[2 * s];
     int pieces;
     if (first < 0) {
@@ -67,14 +68,7 @@ private:
                              : turn_direction(shape_, edge, axis, span.turn) * axis.radius;
       pieces = pieces_of(edge, axis, span.angle);
     }
-    out_.circles.push_back(circle);
-    const int32_t begin = int32_t(out_.darts.size());
     add_pieces(span, pieces, first, last, s);
-    const int32_t end = int32_t(out_.darts.size());
-    last_[2 * s] = begin; // against the arc, each before its twin
-    first_[2 * s] = end - 2;
-    first_[2 * s + 1] = begin + 1;
-    last_[2 * s + 1] = end - 1;
   }
 
   int pieces_of(const DualShape::Edge &edge, const Axis3 &axis, double angle) const {
@@ -98,6 +92,8 @@ private:
                   std::size_t s) {
     const int32_t number = int32_t(out_.circles.size()) - 1;
     const int32_t against = map_.patch_of[2 * s], along = map_.patch_of[2 * s + 1];
+    out_.patches[against].darts += pieces;
+    out_.patches[along].darts += pieces;
     int32_t at = first;
     for (int k = 0; k < pieces; ++k) {
       const double from = span.begin + span.angle * k / pieces,
@@ -105,7 +101,7 @@ private:
       const int32_t arc = int32_t(out_.arcs.size()), dart = int32_t(out_.darts.size());
       const int32_t there =
           k + 1 == pieces ? last : add_vertex(PatchComplex::point(out_.circles[number], to));
-      out_.arcs.push_back({number, from, to, out_.position[at], out_.position[there]});
+      out_.arcs.push_back({number, at, there, from, to});
       out_.darts.push_back({there, -1, -1, dart + 1, against, arc, false});
       out_.darts.push_back({at, -1, -1, dart, along, arc, true});
       if (k > 0) {
@@ -121,18 +117,22 @@ private:
     out_.darts[next].previous = dart;
   }
 
+  /// Of a side's darts. Those against the arc come before their twins, the last of them first.
+  int32_t first_of(int32_t side) const {
+    return side & 1 ? begin_[side / 2] + 1 : begin_[side / 2 + 1] - 2;
+  }
+  int32_t last_of(int32_t side) const {
+    return side & 1 ? begin_[side / 2 + 1] - 1 : begin_[side / 2];
+  }
+
   /// Each side's last piece to the first of the next side that is left.
   void link() {
-    for (std::size_t side = 0; side < first_.size(); ++side) {
-      progress_.tick(first_.size() + side, 2 * first_.size());
-      if (first_[side] < 0) continue;
+    for (std::size_t side = 0; side < map_.next.size(); ++side) {
+      progress_.tick(map_.next.size() + side, 2 * map_.next.size());
+      if (contracted_[side / 2]) continue;
       int32_t next = map_.next[side];
-      while (first_[next] < 0) next = map_.next[next];
-      set_next(last_[side], first_[next]);
-    }
-    for (const PatchComplex::Dart &d : out_.darts) {
-      progress_.tick(1, 1);
-      ++out_.patches[d.patch].darts;
+      while (contracted_[next / 2]) next = map_.next[next];
+      set_next(last_of(int32_t(side)), first_of(next));
     }
   }
 
@@ -143,7 +143,7 @@ private:
   MergedPoints &points_;
   Progress &progress_;
   PatchComplex out_;
-  std::vector<int32_t> first_, last_; // by side: its darts, -1 of those that are contracted
+  std::vector<int32_t> begin_; // by span: its first dart, or that of the next that has any
 };
 
 } // namespace

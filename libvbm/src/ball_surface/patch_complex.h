@@ -28,8 +28,8 @@ struct PatchComplex {
     int32_t from; // vertex
     int32_t next, previous, twin;
     int32_t patch;
-    int32_t arc;
-    bool forward; // the way the arc runs
+    int32_t arc : 31;
+    uint32_t forward : 1; // the way the arc runs
   };
   /// What two spheres have in common: center + u cos + (axis x u) sin of an angle,
   /// counter-clockwise about the edge a to b.
@@ -37,11 +37,12 @@ struct PatchComplex {
     uint32_t edge;
     Vec3 center, u, axis;
   };
-  /// A piece of it: from angle `from` to `to`, and where it ends.
+  /// A piece of it: from angle `from` to `to`, and where it ends, by place: singular points of the
+  /// map come first, then those in `position`.
   struct Arc {
     int32_t circle;
+    int32_t begin, end;
     double from, to;
-    Vec3 begin, end;
   };
   struct Patch {
     int32_t ball;
@@ -50,7 +51,7 @@ struct PatchComplex {
     bool wraps;    // see BoundaryMap
   };
 
-  std::vector<Vec3> position; // of vertices, unit frame
+  std::vector<Vec3> position; // of vertices, unit frame; until it is finished, within arcs only
   std::vector<Dart> darts;
   std::vector<Circle> circles;
   std::vector<Arc> arcs;

@@ -91,7 +91,7 @@ void merge_complex(Merged &m, const UnionInput &set, const PatchOptions &options
   const ContractedArcs gone = contract_arcs(m.map, m.shape, reach, points, progress);
   m.merged = gone.merged;
   m.complex = patch_complex(m.map, m.shape, gone.contracted, options, points, progress);
-  ComplexEditor editor(m.complex, m.shape, std::move(points));
+  ComplexEditor editor(m.complex, m.shape, m.map, std::move(points));
   for (std::size_t p = 0; p < m.complex.patches.size(); ++p) editor.look_at(int32_t(p));
   editor.close(options.bulge, progress);
   if (m.closed) close_narrow(editor, reach, options.bulge, progress);
