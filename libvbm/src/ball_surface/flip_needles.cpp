@@ -31,16 +31,16 @@ public:
     for (std::size_t i = t_.size(); i-- > 0;)
       if (is_bad(int32_t(i))) work.push_back(int32_t(i));
     if (work.empty()) return std::move(moved_);
-    find_twins();
+    list_sides();
     while (!work.empty()) {
       progress_.tick(1, 1);
       const int32_t i = work.back();
       work.pop_back();
       if (!is_bad(i)) continue;
       for (int k = 0; k < 3; ++k) {
-        const int32_t j = twin_[3 * i + k] / 3;
-        if (!flip(3 * i + k)) continue;
-        work.push_back(j);
+        const int32_t g = twin(3 * i + k);
+        if (!flip(3 * i + k, g)) continue;
+        work.push_back(g / 3);
         work.push_back(i);
         break;
       }
@@ -65,30 +65,46 @@ private:
   }
 
   int32_t from(int32_t h) const { return t_[h / 3][h % 3]; }
-  static int32_t next(int32_t h) { return h - h % 3 + (h + 1) % 3; }
+  static int32_t next(int32_t h) { return h % 3 == 2 ? h - 2 : h + 1; }
 
-  void find_twins() {
-    std::vector<uint32_t> first(position_.size() + 1, 0);
-    for (const auto &t : t_)
-      for (int32_t v : t) ++first[v + 1];
-    for (std::size_t v = 0; v < position_.size(); ++v) first[v + 1] += first[v];
-    std::vector<int32_t> out(3 * t_.size());
-    std::vector<uint32_t> at(first.begin(), first.end() - 1);
-    for (std::size_t h = 0; h < out.size(); ++h) out[at[from(int32_t(h))]++] = int32_t(h);
-    twin_.assign(out.size(), -1);
-    for (std::size_t h = 0; h < out.size(); ++h) {
-      progress_.tick(h, out.size());
-      const int32_t u = from(int32_t(h)), v = from(next(int32_t(h)));
-      for (uint32_t k = first[v]; k < first[v + 1]; ++k)
-        if (from(next(out[k])) == u) twin_[h] = out[k];
+  /// Chains of the sides that begin at each vertex: twins are looked up there, as few ever are.
+  void list_sides() {
+    first_.assign(position_.size(), -1);
+    after_.resize(3 * t_.size());
+    for (std::size_t i = 0; i < t_.size(); ++i) {
+      progress_.tick(i, t_.size());
+      list(int32_t(i));
     }
+  }
+
+  void list(int32_t i) {
+    for (int32_t h = 3 * i; h < 3 * i + 3; ++h) {
+      int32_t &first = first_[from(h)];
+      after_[h] = first;
+      first = h;
+    }
+  }
+
+  void unlist(int32_t i) {
+    for (int32_t h = 3 * i; h < 3 * i + 3; ++h) {
+      int32_t *at = &first_[from(h)];
+      while (*at != h) at = &after_[*at];
+      *at = after_[h];
+    }
+  }
+
+  int32_t twin(int32_t h) const {
+    const int32_t u = from(h);
+    int32_t g = first_[from(next(h))];
+    while (g >= 0 && from(next(g)) != u) g = after_[g];
+    return g;
   }
 
   bool are_joined(int32_t h, int32_t v) const { // h begins at the other
     int32_t at = h;
     do {
       if (from(next(at)) == v || from(next(next(at))) == v) return true;
-      at = next(twin_[at]);
+      at = next(twin(at));
     } while (at != h);
     return false;
   }
@@ -109,8 +125,8 @@ private:
     return dot(cross(q - p, r - p), p + q + r - balls_[ball_[i]].center * 3.0) < 0;
   }
 
-  bool flip(int32_t h) {
-    const int32_t g = twin_[h], i = h / 3, j = g / 3;
+  bool flip(int32_t h, int32_t g) {
+    const int32_t i = h / 3, j = g / 3;
     const int32_t h1 = next(h), h2 = next(h1), g1 = next(g), g2 = next(g1);
     const int32_t a = from(h), b = from(g), c = from(h2), d = from(g2);
     if (c == d) return false;
@@ -131,21 +147,14 @@ private:
     }
     if (are_joined(h2, d)) return false;
     // i: c a d, j: d b c.
-    const int32_t ca = twin_[h2], ad = twin_[g1], db = twin_[g2], bc = twin_[h1];
+    unlist(i);
+    unlist(j);
     t_[i] = {c, a, d};
     t_[j] = {d, b, c};
-    link(3 * i, ca);
-    link(3 * i + 1, ad);
-    link(3 * j, db);
-    link(3 * j + 1, bc);
-    link(3 * i + 2, 3 * j + 2);
+    list(i);
+    list(j);
     moved_[i] = moved_[j] = 1;
     return true;
-  }
-
-  void link(int32_t h, int32_t g) {
-    twin_[h] = g;
-    twin_[g] = h;
   }
 
   const std::vector<Vec3> &position_;
@@ -155,7 +164,8 @@ private:
   const std::vector<int32_t> &ball_;
   Progress &progress_;
   std::vector<uint8_t> moved_;
-  std::vector<int32_t> twin_; // of half-edges 3 * triangle + side
+  std::vector<int32_t> first_; // by vertex: a side 3 * triangle + corner, -1 for none
+  std::vector<int32_t> after_; // by side: the next of its vertex
 };
 
 } // namespace
