@@ -3,46 +3,56 @@
 
 #include "core/error.h"
 #include "core/frame.h"
-#include "core/sort_edges.h"
 
 #include <algorithm>
-#include <numeric>
 #include <string>
 
 namespace vbm::impl {
 
 namespace {
 
-struct HalfEdge {
-  int32_t low, high; // ends, ascending
-  uint32_t id;       // 3 * triangle + corner; runs from that corner to the next
+/// A triangle as one of its corners sees it: the ends of its sides there, counter-clockwise.
+struct Corner {
+  int32_t next, last;
 };
 
-int32_t find(std::vector<int32_t> &parent, int32_t i) {
-  while (parent[i] != i) i = parent[i] = parent[parent[i]];
-  return i;
-}
-
-/// Half-edges grouped by their lower end: a counting sort, then small sorts.
-std::vector<HalfEdge> sorted_edges(const Surface &surface, Progress &progress) {
-  std::vector<uint32_t> first(surface.vertices.size() + 1, 0);
+/// Corners by their vertex: those of v are from first[v] to first[v + 1].
+std::vector<Corner> corners_of(const Surface &surface, std::vector<uint32_t> &first,
+                               Progress &progress) {
+  const std::size_t count = surface.vertices.size();
+  first.assign(count + 2, 0);
   for (const auto &t : surface.triangles)
-    for (int i = 0; i < 3; ++i) ++first[std::min(t[i], t[(i + 1) % 3]) + 1];
-  for (std::size_t v = 0; v + 1 < first.size(); ++v) first[v + 1] += first[v];
-  std::vector<HalfEdge> edges(3 * surface.triangles.size());
-  std::vector<uint32_t> next(first.begin(), first.end() - 1);
+    for (int32_t v : t) ++first[std::size_t(v) + 2];
+  for (std::size_t v = 0; v <= count; ++v) first[v + 1] += first[v];
+  std::vector<Corner> corners(3 * surface.triangles.size());
   for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
     progress.tick(t, 4 * surface.triangles.size());
-    for (int i = 0; i < 3; ++i) {
-      const int32_t a = surface.triangles[t][i], b = surface.triangles[t][(i + 1) % 3];
-      edges[next[std::min(a, b)]++] = {std::min(a, b), std::max(a, b), uint32_t(3 * t + i)};
-    }
+    const auto &[a, b, c] = surface.triangles[t];
+    corners[first[std::size_t(a) + 1]++] = {b, c};
+    corners[first[std::size_t(b) + 1]++] = {c, a};
+    corners[first[std::size_t(c) + 1]++] = {a, b};
   }
-  for (std::size_t v = 0; v + 1 < first.size(); ++v) {
-    progress.tick(first.size(), 4 * first.size());
-    sort_by_high(edges.begin() + first[v], edges.begin() + first[v + 1]);
-  }
-  return edges;
+  return corners;
+}
+
+/// Whether the triangles at vertex v are one fan that closes: going from side to side, one comes to
+/// all of them. So every edge there is in two, one of which it leaves v in.
+bool is_fan(Corner *begin, Corner *end, int32_t v) {
+  constexpr std::ptrdiff_t kMany = 32; // from which on searches are worth a sort
+  const auto is_before = [](const Corner &c, int32_t next) { return c.next < next; };
+  const bool sorts = end - begin >= kMany;
+  if (sorts)
+    std::sort(begin, end, [](const Corner &a, const Corner &b) { return a.next < b.next; });
+  const Corner *at = begin;
+  std::ptrdiff_t seen = 0;
+  do {
+    if (at->next == v || at->last == v || at->next == at->last || ++seen > end - begin)
+      return false;
+    const int32_t side = at->last;
+    at = sorts ? std::lower_bound(begin, end, side, is_before) : begin;
+    while (at != end && at->next != side) ++at;
+  } while (at != begin && at != end);
+  return at == begin && seen == end - begin;
 }
 
 [[noreturn]] void broken(const char *what, std::size_t where) {
@@ -50,56 +60,47 @@ std::vector<HalfEdge> sorted_edges(const Surface &surface, Progress &progress) {
                                       std::to_string(where) + "; please report this");
 }
 
+/// How many there are of vertices that hang together.
+uint64_t count_components(const std::vector<Corner> &corners, const std::vector<uint32_t> &first,
+                          Progress &progress) {
+  std::vector<uint8_t> seen(first.size(), 0);
+  std::vector<int32_t> stack;
+  uint64_t components = 0;
+  for (std::size_t v = 0; v + 2 < first.size(); ++v) {
+    if (seen[v] || first[v] == first[v + 1]) continue;
+    ++components;
+    seen[v] = 1;
+    stack.push_back(int32_t(v));
+    while (!stack.empty()) {
+      progress.tick(2, 3);
+      const int32_t u = stack.back();
+      stack.pop_back();
+      for (uint32_t c = first[u]; c < first[std::size_t(u) + 1]; ++c) {
+        const int32_t w = corners[c].next;
+        if (seen[w]) continue;
+        seen[w] = 1;
+        stack.push_back(w);
+      }
+    }
+  }
+  return components;
+}
+
 } // namespace
 
 void measure(Surface &surface, Progress &progress) {
   const auto &triangles = surface.triangles;
-  const std::vector<HalfEdge> edges = sorted_edges(surface, progress);
-  std::vector<uint32_t> twin(edges.size());
-  for (std::size_t e = 0; e < edges.size(); e += 2) {
-    progress.tick(edges.size() + e, 4 * edges.size());
-    const bool pair = e + 1 < edges.size() && edges[e].low == edges[e + 1].low &&
-                      edges[e].high == edges[e + 1].high;
-    const bool third = pair && e + 2 < edges.size() && edges[e].low == edges[e + 2].low &&
-                       edges[e].high == edges[e + 2].high;
-    if (!pair || third) broken("not two triangles at an edge of vertex ", edges[e].low);
-    const uint32_t a = edges[e].id, b = edges[e + 1].id;
-    if (triangles[a / 3][a % 3] == triangles[b / 3][b % 3])
-      broken("contradicting triangles at an edge of vertex ", edges[e].low);
-    twin[a] = b;
-    twin[b] = a;
-  }
-
-  // Components by vertices; corners at a vertex must form one fan.
-  std::vector<int32_t> parent(surface.vertices.size());
-  std::iota(parent.begin(), parent.end(), 0);
-  std::vector<int32_t> valence(surface.vertices.size(), 0);
-  std::vector<uint32_t> corner(surface.vertices.size(), 0);
-  for (std::size_t t = 0; t < triangles.size(); ++t) {
-    progress.tick(2 * triangles.size() + t, 4 * triangles.size());
-    for (int i = 0; i < 3; ++i) {
-      const int32_t v = triangles[t][i];
-      ++valence[v];
-      corner[v] = uint32_t(3 * t + i);
-      const int32_t a = find(parent, v), b = find(parent, triangles[t][(i + 1) % 3]);
-      if (a != b) parent[std::max(a, b)] = std::min(a, b);
-    }
-  }
-  uint64_t used = 0, components = 0;
-  for (std::size_t v = 0; v < valence.size(); ++v) {
-    progress.tick(3 * valence.size() + v, 4 * valence.size());
-    if (!valence[v]) continue;
+  std::vector<uint32_t> first;
+  std::vector<Corner> corners = corners_of(surface, first, progress);
+  uint64_t used = 0;
+  for (std::size_t v = 0; v < surface.vertices.size(); ++v) {
+    progress.tick(surface.vertices.size() + v, 3 * surface.vertices.size());
+    if (first[v] == first[v + 1]) continue;
     ++used;
-    components += parent[v] == int32_t(v);
-    int32_t fan = 0;
-    uint32_t c = corner[v];
-    do {
-      ++fan;
-      c = twin[c];                     // ends at v, in the next triangle of the fan
-      c = c / 3 * 3 + (c % 3 + 1) % 3; // starts at v
-    } while (c != corner[v] && fan <= valence[v]);
-    if (fan != valence[v]) broken("more than one fan of triangles at vertex ", v);
+    if (!is_fan(corners.data() + first[v], corners.data() + first[v + 1], int32_t(v)))
+      broken("not one closed fan of triangles at vertex ", v);
   }
+  const uint64_t components = count_components(corners, first, progress);
 
   // In the unit frame: the square of an area in the input's units may be no double at all.
   std::vector<Vec3> position(surface.vertices.size());
@@ -120,7 +121,7 @@ void measure(Surface &surface, Progress &progress) {
   report.triangles = triangles.size();
   report.polygons = surface.polygons.offset.size() - 1;
   report.components = components;
-  report.euler = int64_t(used) - int64_t(edges.size() / 2) + int64_t(triangles.size());
+  report.euler = int64_t(used) - int64_t(corners.size() / 2) + int64_t(triangles.size());
   report.genus = int64_t(components) - report.euler / 2;
   report.area = std::ldexp(area, 2 * frame.exponent);
   report.volume = std::ldexp(volume, 3 * frame.exponent);
