@@ -11,8 +11,8 @@
 #include "ball_surface/merge_points.h"
 
 #include "core/progress.h"
+#include "core/sort_in_buckets.h"
 #include "dual/orthospheres.h"
-#include "match/sort_in_pieces.h"
 
 #include <algorithm>
 
@@ -66,56 +66,68 @@ public:
 
   /// Arcs that are nothing but two names for their place.
   void null_arcs() {
+    const bool samples = points_.has_samples();
     for (std::size_t s = 0; s < map_.spans.size(); ++s) {
       progress_.tick(s, map_.spans.size());
       const int32_t u = map_.from[2 * s], v = map_.from[2 * s + 1];
-      if (u >= 0 && map_.spans[s].angle < kRound && is_null(u, v))
+      if (u >= 0 && map_.spans[s].angle < kRound && is_null(u, v, samples))
         out_.merged += contract(s, points_.find(u), points_.find(v));
     }
   }
 
   /// Arcs that are no longer than what is narrow at both their balls, the shortest first.
   void short_arcs(const std::vector<double> &reach) {
-    for (std::size_t side = 0; side < map_.from.size(); ++side) {
-      progress_.tick(0, 1);
-      if (map_.from[side] >= 0 && reach[map_.ball_of(shape_, int32_t(side))] == 0)
-        points_.fix(points_.find(map_.from[side]));
-    }
-    struct Short {
-      double length, reach;
-      uint32_t span;
-    };
     std::vector<Short> arcs;
+    double longest = 0;
     for (std::size_t s = 0; s < map_.spans.size(); ++s) {
       progress_.tick(s, map_.spans.size());
-      if (out_.contracted[s] || map_.from[2 * s] < 0 || map_.spans[s].angle > kRound) continue;
-      const DualShape::Edge &edge = shape_.edges[map_.spans[s].edge];
+      if (map_.from[2 * s] < 0) continue;
+      const int32_t u = points_.find(map_.from[2 * s]), v = points_.find(map_.from[2 * s + 1]);
+      const BoundaryMap::Span &span = map_.spans[s];
+      const DualShape::Edge &edge = shape_.edges[span.edge];
+      if (reach[edge.a] == 0) points_.fix(u);
+      if (reach[edge.b] == 0) points_.fix(v);
       const double most = std::min(reach[edge.a], reach[edge.b]);
-      const double l = distance(points_.at(points_.find(map_.from[2 * s])),
-                                points_.at(points_.find(map_.from[2 * s + 1])));
-      if (l <= most) arcs.push_back({l, most, uint32_t(s)});
+      if (out_.contracted[s] || span.angle > kRound) continue;
+      const double l = distance(points_.at(u), points_.at(v));
+      if (!(l <= most)) continue;
+      arcs.push_back({l, most, uint32_t(s)});
+      longest = std::max(longest, l);
     }
-    sort_in_pieces(
-        arcs,
+    if (longest == 0) longest = 1;
+    const double many = double(arcs.size());
+    const auto sorted = sorted_in_buckets(
+        arcs, arcs.size() + 1, [&](const Short &a) { return a.length / longest * many; },
         [](const Short &a, const Short &b) {
           return a.length != b.length ? a.length < b.length : a.span < b.span;
         },
         progress_);
-    for (const Short &a : arcs) {
+    for (std::size_t i = 0; i < arcs.size(); ++i) {
       progress_.tick(1, 1);
+      const Short &a = sorted[i];
       const int32_t u = points_.find(map_.from[2 * a.span]),
                     v = points_.find(map_.from[2 * a.span + 1]);
       if (u == v || (points_.stays(u) && points_.stays(v))) continue;
-      if (points_.reach_of(u, v) <= kDrift * a.reach) contract(a.span, u, v);
+      const double far = points_.reach_of(u, v);
+      if (!(far <= kDrift * a.reach)) continue;
+      points_.unite(u, v, far);
+      out_.contracted[a.span] = 1;
     }
   }
 
   ContractedArcs take() { return std::move(out_); }
 
 private:
-  bool is_null(int32_t u, int32_t v) {
-    const int32_t p = points_.sample(points_.find(u)), q = points_.sample(points_.find(v));
-    if (p >= 0 && q >= 0) return p == q;
+  struct Short {
+    double length, reach;
+    uint32_t span;
+  };
+
+  bool is_null(int32_t u, int32_t v, bool samples) {
+    if (samples) {
+      const int32_t p = points_.sample(points_.find(u)), q = points_.sample(points_.find(v));
+      if (p >= 0 && q >= 0) return p == q;
+    }
     return distance(map_.position[u], map_.position[v]) <= map_.blur[u] + map_.blur[v];
   }
 

@@ -26,6 +26,9 @@ public:
   int32_t find(int32_t v) { return sets_.find(v); }
   const Vec3 &at(int32_t v) const { return position_[v]; }
   int32_t sample(int32_t v) const { return sample_[v]; }
+  bool has_samples() const {
+    return std::any_of(sample_.begin(), sample_.end(), [](int32_t s) { return s >= 0; });
+  }
 
   /// This vertex keeps its place from here on; what becomes one with it comes there.
   void fix(int32_t v) { fixed_[v] = 1; }
@@ -39,8 +42,9 @@ public:
     return std::max(reach_[kept], distance(position_[u], position_[v]) + reach_[moved]);
   }
 
-  void unite(int32_t u, int32_t v) {
-    const double reach = reach_of(u, v);
+  void unite(int32_t u, int32_t v) { unite(u, v, reach_of(u, v)); }
+  /// The same, where reach_of() is known.
+  void unite(int32_t u, int32_t v, double reach) {
     bool keep_u = u < v;
     if (rank(u) != rank(v))
       keep_u = rank(u) > rank(v);
