@@ -28,24 +28,27 @@ constexpr std::size_t kManyDarts = 64;
 /// far what is to be contracted may stray from the patch.
 constexpr double kEnd = 0.7, kAcross = 0.25;
 
+/// Share of a product of squares: what it may err by, and a thousand times more.
+constexpr double kUnsure = 1e-12;
+
 class Closing {
 public:
   Closing(ComplexEditor &editor, const std::vector<double> &reach, double bulge, Progress &progress)
       : editor_(editor), reach_(reach), bulge_(bulge), progress_(progress) {}
 
   void run() {
-    find_fixed();
-    contract_short_arcs();
+    contract_short_arcs(true);
     editor_.close(bulge_, progress_);
     PatchComplex &c = editor_.complex;
     rings();
     for (std::size_t p = 0; p < c.patches.size(); ++p) { // those that come of it, too
       progress_.tick(p, c.patches.size());
-      if (c.patches[p].loops == 1 && c.patches[p].darts >= 3 && !c.patches[p].wraps)
-        zip_patch(int32_t(p), {editor_.dart_of(int32_t(p))});
+      if (c.patches[p].loops != 1 || c.patches[p].darts < 3 || c.patches[p].wraps) continue;
+      loops_.assign(1, editor_.dart_of(int32_t(p)));
+      zip_patch(int32_t(p));
     }
     editor_.close(bulge_, progress_);
-    contract_short_arcs();
+    contract_short_arcs(false);
     editor_.close(bulge_, progress_);
     join_arcs();
   }
@@ -53,20 +56,13 @@ public:
 private:
   using Dart = PatchComplex::Dart;
 
+  double reach_beside(const Dart &d) const { return reach_[editor_.complex.patches[d.patch].ball]; }
   double reach_at(const Dart &d) const {
-    const PatchComplex &c = editor_.complex;
-    return std::min(reach_[c.patches[d.patch].ball], reach_[c.patches[c.darts[d.twin].patch].ball]);
+    return std::min(reach_beside(d), reach_beside(editor_.complex.darts[d.twin]));
   }
 
-  /// Corners of patches where nothing is to be closed stay.
-  void find_fixed() {
-    const PatchComplex &c = editor_.complex;
-    for (std::size_t d = 0; d < c.darts.size(); ++d)
-      if (editor_.alive(int32_t(d)) && reach_[c.patches[c.darts[d].patch].ball] == 0)
-        editor_.points.fix(editor_.from(int32_t(d)));
-  }
-
-  void contract_short_arcs() {
+  /// The first time, corners of patches where nothing is to be closed are made to stay.
+  void contract_short_arcs(bool fixes) {
     PatchComplex &c = editor_.complex;
     struct Short {
       double length;
@@ -76,9 +72,13 @@ private:
     for (std::size_t d = 0; d < c.darts.size(); ++d) {
       progress_.tick(d, c.darts.size());
       if (!editor_.alive(int32_t(d)) || c.darts[d].twin < int32_t(d)) continue;
-      const double l = distance(editor_.points.at(editor_.from(int32_t(d))),
-                                editor_.points.at(editor_.to(int32_t(d))));
-      if (l <= reach_at(c.darts[d])) arcs.push_back({l, int32_t(d)});
+      const Dart &dart = c.darts[d], &twin = c.darts[dart.twin];
+      const double here = reach_beside(dart), there = reach_beside(twin);
+      const int32_t u = editor_.from(int32_t(d)), v = editor_.from(dart.twin);
+      if (fixes && here == 0) editor_.points.fix(u);
+      if (fixes && there == 0) editor_.points.fix(v);
+      const double l = distance(editor_.points.at(u), editor_.points.at(v));
+      if (l <= std::min(here, there)) arcs.push_back({l, int32_t(d)});
     }
     std::sort(arcs.begin(), arcs.end(), [](const Short &a, const Short &b) {
       return a.length != b.length ? a.length < b.length : a.dart < b.dart;
@@ -102,30 +102,34 @@ private:
   /// Patches of two loops and more: each pair is joined where it is nearest.
   void rings() {
     const PatchComplex &c = editor_.complex;
+    if (std::none_of(c.patches.begin(), c.patches.end(),
+                     [](const PatchComplex::Patch &p) { return p.loops > 1; }))
+      return;
     std::vector<std::pair<int32_t, int32_t>> starts; // patch, and a dart of each of its loops
     loop_.assign(c.darts.size(), -1);
     for (std::size_t d = 0; d < loop_.size(); ++d) {
       const int32_t p = c.darts[d].patch;
-      if (!editor_.alive(int32_t(d)) || loop_[d] >= 0 || c.patches[p].loops < 2) continue;
+      if (c.patches[p].loops < 2 || !editor_.alive(int32_t(d)) || loop_[d] >= 0) continue;
       for (int32_t at = int32_t(d); loop_[at] < 0; at = c.darts[at].next)
         loop_[at] = int32_t(starts.size());
       starts.emplace_back(p, int32_t(d));
     }
     std::sort(starts.begin(), starts.end());
-    std::vector<int32_t> loops;
+    loops_.clear();
     for (std::size_t i = 0; i < starts.size(); ++i) {
       const int32_t p = starts[i].first;
-      loops.push_back(starts[i].second);
+      loops_.push_back(starts[i].second);
       if (i + 1 < starts.size() && starts[i + 1].first == p) continue;
-      if (std::size_t(c.patches[p].loops) == loops.size()) zip_patch(p, loops);
-      loops.clear();
+      if (std::size_t(c.patches[p].loops) == loops_.size()) zip_patch(p);
+      loops_.clear();
     }
   }
 
   /// A dart of a patch, and its chord.
   struct Piece {
     int32_t dart, loop, next; // the piece after it in its loop
-    Vec3 from, to;
+    Vec3 from, to, along;
+    double square;  // of the chord's length
     double sagitta; // or a little more
   };
   /// A corner that is near a piece across the patch.
@@ -137,31 +141,42 @@ private:
   /// No less than the tangent of an angle from 0 to 1, by less than 0.06.
   static double most_tangent(double angle) { return angle * (1 + 0.5575 * angle * angle); }
 
-  void read(const std::vector<int32_t> &loops) {
+  void read() {
     const PatchComplex &c = editor_.complex;
     pieces_.clear();
-    for (std::size_t l = 0; l < loops.size(); ++l) {
-      const int32_t first = int32_t(pieces_.size());
-      int32_t at = loops[l];
-      do {
-        const Dart &d = c.darts[at];
-        const PatchComplex::Arc &arc = c.arcs[d.arc];
-        const Vec3 from = editor_.points.at(editor_.from(at)),
-                   to = editor_.points.at(editor_.to(at));
-        const double half = distance(from, to) / 2;
-        pieces_.push_back({at, int32_t(l), int32_t(pieces_.size()) + 1, from, to,
-                           half * most_tangent(std::min(arc.to - arc.from, 4.0) / 4)});
-        at = d.next;
-      } while (at != loops[l]);
-      pieces_.back().next = first;
+    for (std::size_t l = 0; l < loops_.size(); ++l) {
+      const std::size_t first = pieces_.size();
+      int32_t at = loops_[l];
+      do { // where it ends the next begins
+        pieces_.push_back({at,
+                           int32_t(l),
+                           int32_t(pieces_.size()) + 1,
+                           editor_.points.at(editor_.from(at)),
+                           {},
+                           {},
+                           0,
+                           0});
+        at = c.darts[at].next;
+      } while (at != loops_[l]);
+      pieces_.back().next = int32_t(first);
+      for (std::size_t i = first; i < pieces_.size(); ++i) {
+        Piece &piece = pieces_[i];
+        const PatchComplex::Arc &arc = c.arcs[c.darts[piece.dart].arc];
+        piece.to = pieces_[piece.next].from;
+        piece.along = piece.to - piece.from;
+        piece.square = dot(piece.along, piece.along);
+        piece.sagitta =
+            std::sqrt(piece.square) / 2 * most_tangent(std::min(arc.to - arc.from, 4.0) / 4);
+      }
     }
   }
 
-  void zip_patch(int32_t p, const std::vector<int32_t> &loops) {
+  /// The patch of the loops that these darts are of.
+  void zip_patch(int32_t p) {
     const PatchComplex &c = editor_.complex;
     const double reach = reach_[c.patches[p].ball];
-    read(loops);
-    find_near(reach, loops.size() == 1);
+    read();
+    find_near(reach, loops_.size() == 1);
     if (near_.empty()) return;
     find_planes(p);
     parts_.resize(std::max(parts_.size(), pieces_.size()));
@@ -170,7 +185,7 @@ private:
       if (a.distance != b.distance) return a.distance < b.distance;
       return a.corner != b.corner ? a.corner < b.corner : a.piece < b.piece;
     });
-    DisjointSets joined(loops.size());
+    DisjointSets joined(loops_.size());
     for (const Near &n : near_) {
       progress_.tick(1, 1);
       const Piece &corner = pieces_[n.corner], &piece = pieces_[n.piece];
@@ -204,9 +219,13 @@ private:
   }
 
   static bool may_be_near(const Vec3 &x, const Piece &b, double reach) {
-    const Vec3 along = b.to - b.from, w = x - b.from;
-    const double l = dot(along, along), s = dot(w, along), far = reach + b.sagitta;
-    const Vec3 gap = s <= 0 ? w : s >= l ? x - b.to : w - along * (s / l);
+    const Vec3 w = x - b.from;
+    const double l = b.square, s = dot(w, b.along), far = reach + b.sagitta;
+    // Most are seen to be farther without a division, or a branch; by more than all rounding.
+    const double most = dot(w, w) * l, within = std::min(std::max(s, 0.0), l);
+    if (most - within * (2 * s - within) > far * far * l * (1 + kUnsure) + kUnsure * most)
+      return false;
+    const Vec3 gap = s <= 0 ? w : s >= l ? x - b.to : w - b.along * (s / l);
     return dot(gap, gap) <= far * far;
   }
 
@@ -352,7 +371,8 @@ private:
     Vec3 out;
     double height;
   };
-  std::vector<int32_t> loop_; // by dart
+  std::vector<int32_t> loop_;  // by dart
+  std::vector<int32_t> loops_; // of the patch at work: a dart of each
   std::vector<Piece> pieces_;
   std::vector<Near> near_;
   std::vector<std::vector<int32_t>> parts_; // of each piece: its darts since it was cut
