@@ -41,8 +41,12 @@ public:
   }
 
   PatchMesh run() {
-    list_darts();
+    start_.assign(c_.patches.size(), -1);
+    for (std::size_t d = c_.darts.size(); d-- > 0;) start_[c_.darts[d].patch] = int32_t(d);
     seen_.assign(mesh_.position.size(), -1);
+    side_.reserve(c_.darts.size());
+    face_end_.reserve(c_.patches.size());
+    face_patch_.reserve(c_.patches.size());
     for (std::size_t p = 0; p < c_.patches.size(); ++p) {
       progress_.tick(p, c_.patches.size());
       add_patch(int32_t(p));
@@ -90,7 +94,7 @@ private:
   bool is_simple(int32_t p) {
     loop_.clear();
     bool simple = true;
-    const int32_t first = dart_[first_[p]];
+    const int32_t first = start_[p];
     int32_t at = first;
     do {
       const int32_t v = c_.darts[at].from;
@@ -119,20 +123,23 @@ private:
   bool add_disk(int32_t p, bool any) {
     const Site &ball = shape_.site[c_.patches[p].ball];
     const Vec3 c = center_of(ball);
-    std::vector<std::vector<Side>> stack(1), faces, fans;
-    for (int32_t v : loop_) stack[0].push_back({v});
+    whole_.clear();
+    for (int32_t v : loop_) whole_.push_back({v});
     const int32_t diagonals = diagonals_;
     const double share = bulge_of(c_, options_, c_.patches[p].ball);
     const double bulge = share * ball.r, most = 2 * std::sqrt(share) * ball.r;
     const bool pillow = is_pillow(p);
+    // Most are one face, and nothing else is to be thought of.
+    if (!pillow && ((any && whole_.size() == 3) || gap_of(whole_, ball) <= bulge)) {
+      if (!any && !is_outward(whole_, c)) return false;
+      add_face(whole_.data(), whole_.size(), p);
+      return true;
+    }
+    std::vector<std::vector<Side>> stack(1, whole_), faces, fans;
     while (!stack.empty()) {
       std::vector<Side> piece = std::move(stack.back());
       stack.pop_back();
-      const Vec3 middle = middle_of(piece);
-      double far = 0;
-      for (const Side &s : piece) far = std::max(far, distance(mesh_.position[s.vertex], middle));
-      const double gap =
-          std::max(std::fabs(distance(middle, c) - ball.r), far * far / (2 * ball.r));
+      const double gap = gap_of(piece, ball);
       const bool is_cut = diagonals_ > diagonals;
       if (pillow && (any || gap <= kFanGap * bulge)) {
         fans.push_back(std::move(piece));
@@ -161,18 +168,30 @@ private:
     return true;
   }
 
+  /// How far a face's middle is from its ball, or may be on it from the face.
+  double gap_of(const std::vector<Side> &face, const Site &ball) const {
+    const Vec3 middle = middle_of(face);
+    double far = 0;
+    for (const Side &s : face) far = std::max(far, distance(mesh_.position[s.vertex], middle));
+    return std::max(std::fabs(distance(middle, center_of(ball)) - ball.r),
+                    far * far / (2 * ball.r));
+  }
+
   bool is_outward(const Vec3 &p, const Vec3 &q, const Vec3 &r) const {
     return dot(cross(p, q), r) > 0;
   }
 
-  /// Whether those that are triangles face away from their ball's centre. Larger ones can be cut in
+  /// Whether a face that is a triangle faces away from its ball's centre. Larger ones can be cut in
   /// other ways yet.
+  bool is_outward(const std::vector<Side> &f, const Vec3 &c) const {
+    return f.size() > 3 ||
+           is_outward(mesh_.position[f[0].vertex] - c, mesh_.position[f[1].vertex] - c,
+                      mesh_.position[f[2].vertex] - c);
+  }
+
   bool are_outward(const std::vector<std::vector<Side>> &faces, const Vec3 &c) const {
-    return std::all_of(faces.begin(), faces.end(), [&](const std::vector<Side> &f) {
-      return f.size() > 3 ||
-             is_outward(mesh_.position[f[0].vertex] - c, mesh_.position[f[1].vertex] - c,
-                        mesh_.position[f[2].vertex] - c);
-    });
+    return std::all_of(faces.begin(), faces.end(),
+                       [&](const std::vector<Side> &f) { return is_outward(f, c); });
   }
 
   /// Whether triangles between all sides and the middle do.
@@ -196,10 +215,10 @@ private:
   /// Whether there is nothing but this patch and one more, with the same arcs round it: two faces
   /// with the same corners are none.
   bool is_pillow(int32_t p) const {
-    const int32_t other = c_.darts[c_.darts[dart_[first_[p]]].twin].patch;
+    const int32_t first = start_[p], other = c_.darts[c_.darts[first].twin].patch;
     if (other == p || c_.patches[other].darts != c_.patches[p].darts) return false;
-    for (uint32_t i = first_[p]; i < first_[p + 1]; ++i)
-      if (c_.darts[c_.darts[dart_[i]].twin].patch != other) return false;
+    for (int32_t at = c_.darts[first].next; at != first; at = c_.darts[at].next)
+      if (c_.darts[c_.darts[at].twin].patch != other) return false;
     return true;
   }
 
@@ -260,6 +279,7 @@ private:
     SpherePatch patch;
     std::vector<int32_t> corner, next; // next: of each corner, the one after it in its loop
     done_.resize(c_.darts.size(), 0);
+    if (first_.empty()) list_darts();
     for (uint32_t i = first_[p]; i < first_[p + 1]; ++i) {
       if (done_[dart_[i]]) continue;
       patch.loops.emplace_back();
@@ -336,6 +356,9 @@ private:
   /// edge has two faces. All but one of them get a vertex in their middle.
   void split_shared_diagonals() {
     const std::vector<int32_t> middle = middles();
+    mesh_.polygons.index.reserve(side_.size());
+    mesh_.polygons.offset.reserve(face_end_.size() + 1);
+    mesh_.ball.reserve(face_end_.size());
     std::size_t at = 0;
     for (std::size_t f = 0; f < face_end_.size(); ++f) {
       progress_.tick(f, face_end_.size());
@@ -394,8 +417,10 @@ private:
   Progress &progress_;
   Geodesic coarse_, fine_; // for wide balls, when there are any
   PatchMesh mesh_;
-  std::vector<uint32_t> first_; // per patch, in dart_
+  std::vector<int32_t> start_;  // per patch: its first dart
+  std::vector<uint32_t> first_; // per patch, in dart_, where that is asked for
   std::vector<int32_t> dart_, loop_, seen_;
+  std::vector<Side> whole_;
   std::vector<uint8_t> done_;
   std::vector<uint32_t> edge_first_; // per ball, in edge_
   std::vector<int32_t> edge_;
