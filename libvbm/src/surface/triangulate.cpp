@@ -127,8 +127,9 @@ private:
 
   bool cut_best(std::size_t begin, std::size_t n) {
     const int32_t *at = index_.data() + begin;
-    double best[kSmall][kSmall] = {};
+    double best[kSmall][kSmall]; // from corner to corner; what is read was written before
     uint8_t apex[kSmall][kSmall];
+    best[0][n - 1] = kNever;
     for (std::size_t i = 0; i + 1 < n; ++i) best[i][i + 1] = std::numeric_limits<double>::max();
     for (std::size_t gap = 2; gap < n; ++gap)
       for (std::size_t i = 0, j = gap; j < n; ++i, ++j) {
@@ -162,6 +163,7 @@ private:
 
   /// Polygons with a diagonal that an earlier one has, too.
   void find_shared_diagonals() {
+    if (diagonal_.empty()) return;
     std::vector<uint32_t> first(position_.size() + 1, 0);
     for (const Diagonal &d : diagonal_) ++first[d.low + 1];
     for (std::size_t v = 0; v < position_.size(); ++v) first[v + 1] += first[v];
@@ -172,6 +174,7 @@ private:
     for (std::size_t v = 0; v < position_.size(); ++v) {
       progress_.tick(1, 1);
       const auto begin = order.begin() + first[v], end = order.begin() + first[v + 1];
+      if (end - begin < 2) continue;
       std::sort(begin, end, [&](uint32_t a, uint32_t b) {
         return diagonal_[a].high != diagonal_[b].high ? diagonal_[a].high < diagonal_[b].high
                                                       : a < b;
