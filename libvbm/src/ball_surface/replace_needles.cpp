@@ -26,6 +26,7 @@ std::array<int32_t, 4> around(const std::array<int32_t, 3> &a, const std::array<
 void replace_needles(PatchMesh &mesh, Triangles &triangles, const std::vector<Ball> &balls,
                      const std::vector<uint8_t> &wide, Progress &progress) {
   std::vector<int32_t> ball;
+  ball.reserve(triangles.polygon.size());
   for (int32_t p : triangles.polygon) ball.push_back(mesh.ball[p]);
   const std::vector<uint8_t> moved =
       flip_needles(mesh.position, balls, wide, triangles.corners, ball, progress);
@@ -38,6 +39,11 @@ void replace_needles(PatchMesh &mesh, Triangles &triangles, const std::vector<Ba
 
   PatchMesh made;
   Triangles sorted;
+  made.polygons.index.reserve(mesh.polygons.index.size());
+  made.polygons.offset.reserve(mesh.polygons.offset.size());
+  made.ball.reserve(mesh.ball.size());
+  sorted.corners.reserve(triangles.corners.size());
+  sorted.polygon.reserve(triangles.polygon.size());
   const auto add_triangle = [&](std::size_t t) {
     sorted.corners.push_back(triangles.corners[t]);
     sorted.polygon.push_back(int32_t(made.ball.size()));
