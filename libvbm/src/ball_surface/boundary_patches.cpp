@@ -34,46 +34,44 @@ public:
     const std::size_t sides = map_.next.size();
     std::vector<int32_t> loops(shape_.vertex.size(), 0);
     map_.patch_of.assign(sides, -1);
+    std::vector<int32_t> doubtful; // patches whose angle is to tell whether they wrap
     for (std::size_t s = 0; s < sides; ++s) {
       progress_.tick(3 * sides + s, 4 * sides);
       if (map_.patch_of[s] >= 0) continue;
       const int32_t ball = map_.ball_of(shape_, int32_t(s)), patch = int32_t(map_.patches.size());
-      for (int32_t at = int32_t(s); map_.patch_of[at] < 0; at = map_.next[at])
-        map_.patch_of[at] = patch;
+      if (!is_plain(int32_t(s), ball, patch)) doubtful.push_back(patch);
       map_.patches.push_back({ball, 1, false});
       first_.push_back(int32_t(s));
       map_.bare[ball] += 2 * kPi;
       ++loops[ball];
     }
-    join_split_links(loops);
-    for (std::size_t p = 0; p < map_.patches.size(); ++p) {
+    std::vector<int32_t> sum(loops);
+    for (const DualShape::Edge &e : shape_.edges) {
+      progress_.tick(1, 1);
+      ++sum[e.a], ++sum[e.b];
+    }
+    std::vector<int32_t> alone; // balls without an edge
+    for (std::size_t b = 0; b < sum.size(); ++b)
+      if (shape_.vertex[b] && sum[b] == 0) alone.push_back(int32_t(b));
+    join_split_links(loops, sum);
+    for (int32_t p : doubtful) {
       progress_.tick(1, 1);
       if (map_.patches[p].loops == 1) map_.patches[p].wraps = wraps(first_[p]);
     }
     drop_joined();
-    std::vector<uint8_t> has_edge(shape_.vertex.size(), 0);
-    for (const DualShape::Edge &e : shape_.edges) {
-      progress_.tick(1, 1);
-      has_edge[e.a] = has_edge[e.b] = 1;
+    for (int32_t b : alone) {
+      map_.patches.push_back({b, 0, true});
+      map_.bare[b] = 4 * kPi;
     }
-    for (std::size_t b = 0; b < has_edge.size(); ++b)
-      if (shape_.vertex[b] && !has_edge[b]) {
-        map_.patches.push_back({int32_t(b), 0, true});
-        map_.bare[b] = 4 * kPi;
-      }
   }
 
 private:
   /// Balls round which the shape is not connected: only these can have patches of several loops.
   /// Round a ball that is not hidden, a thickened shape has as many borders, which are the loops,
   /// as it has components and, together, independent cycles; and the difference of these is its
-  /// Euler characteristic.
-  void join_split_links(const std::vector<int32_t> &loops) {
-    std::vector<int32_t> sum(loops);
-    for (const DualShape::Edge &e : shape_.edges) {
-      progress_.tick(1, 1);
-      ++sum[e.a], ++sum[e.b];
-    }
+  /// Euler characteristic. `sum` is that of each ball's loops and edges.
+  void join_split_links(const std::vector<int32_t> &loops, std::vector<int32_t> &sum) {
+    if (std::none_of(loops.begin(), loops.end(), [](int32_t n) { return n > 1; })) return;
     for (const DualShape::Triangle &t : shape_.triangles) {
       progress_.tick(1, 1);
       for (int32_t b : t.ball) --sum[b];
@@ -142,26 +140,57 @@ private:
       map_.patch_of[at] = patch;
   }
 
+  /// How a loop of a ball's runs round.
+  struct Run {
+    Vec3 normal, sum; // of triangles, and of corners from the ball's centre
+    bool is_long;     // whether one of its arcs is
+
+    bool is_right() const { return dot(normal, sum) > 0; }
+  };
+
+  /// Sets the patch of a loop's sides on the way.
+  Run run_of(int32_t first, const Vec3 &c, int32_t patch) {
+    const Vec3 origin = map_.position[map_.from[first]];
+    Run run{{}, origin - c, map_.spans[first / 2].angle > kLongArc};
+    map_.patch_of[first] = patch;
+    Vec3 p, from; // the corner, and from the first one
+    int32_t at = map_.next[first];
+    if (at != first) p = map_.position[map_.from[at]], from = p - origin;
+    while (at != first) {
+      map_.patch_of[at] = patch;
+      run.is_long |= map_.spans[at / 2].angle > kLongArc;
+      at = map_.next[at];
+      const Vec3 &q = map_.position[map_.from[at]];
+      const Vec3 to = q - origin;
+      run.normal += cross(from, to);
+      run.sum += p - c;
+      p = q;
+      from = to;
+    }
+    return run;
+  }
+
+  /// Whether a loop is sure not to be that of a patch of more than half a sphere. It becomes a
+  /// patch's.
+  bool is_plain(int32_t first, int32_t ball, int32_t patch) {
+    if (map_.from[first] < 0) {
+      map_.patch_of[first] = patch;
+      return false;
+    }
+    const Run run = run_of(first, center_of(shape_.site[ball]), patch);
+    return run.is_right() && !run.is_long;
+  }
+
   /// Whether a loop is that of a patch of more than half a sphere. One that turns the wrong way is,
   /// or its patch is thinner than rounding; where arcs are long their ends do not tell which way.
-  bool wraps(int32_t first) const {
-    const Site &ball = shape_.site[map_.ball_of(shape_, first)];
+  bool wraps(int32_t first) {
     if (map_.from[first] < 0) { // a whole circle
       const DualShape::Edge &edge = shape_.edges[map_.spans[first / 2].edge];
       const Axis3 axis(shape_.site[edge.a], shape_.site[edge.b]);
       return (first & 1 ? axis.height_b : axis.height_a) >= 0;
     }
-    const Vec3 c = center_of(ball), origin = map_.position[map_.from[first]];
-    Vec3 normal, sum = origin - c;
-    bool is_long = map_.spans[first / 2].angle > kLongArc;
-    for (int32_t at = map_.next[first]; at != first; at = map_.next[at]) {
-      const Vec3 &p = map_.position[map_.from[at]], &q = map_.position[map_.from[map_.next[at]]];
-      normal += cross(p - origin, q - origin);
-      sum += p - c;
-      is_long |= map_.spans[at / 2].angle > kLongArc;
-    }
-    const bool is_right = dot(normal, sum) > 0;
-    if (is_right && !is_long) return false;
+    const Vec3 c = center_of(shape_.site[map_.ball_of(shape_, first)]);
+    const bool is_right = run_of(first, c, map_.patch_of[first]).is_right();
     return loop_angle(map_, shape_, first) > (is_right ? 2 * kPi : kWraps);
   }
 
