@@ -285,7 +285,7 @@ void ComplexEditor::split_double_arcs(Progress &progress) {
 
 std::vector<int32_t> ComplexEditor::finish() {
   PatchComplex &c = complex;
-  std::vector<int32_t> dart(c.darts.size(), -1), patch(c.patches.size(), -1);
+  std::vector<int32_t> dart(c.darts.size()), patch(c.patches.size());
   std::size_t patches = 0, darts = 0;
   for (std::size_t p = 0; p < c.patches.size(); ++p) {
     if (c.patches[p].loops < 0) continue;
@@ -293,16 +293,16 @@ std::vector<int32_t> ComplexEditor::finish() {
     c.patches[patches++] = c.patches[p];
   }
   c.patches.resize(patches);
-  std::vector<uint8_t> used(points.size(), 0);
+  std::vector<int32_t> vertex(points.size(), -1), sample; // of those that are used, numbers
   for (std::size_t d = 0; d < c.darts.size(); ++d)
     if (alive_[d]) {
       dart[d] = int32_t(darts++);
-      used[from(int32_t(d))] = 1;
+      c.darts[d].from = from(int32_t(d));
+      vertex[c.darts[d].from] = 0;
     }
-  std::vector<int32_t> vertex(points.size(), -1), sample;
   c.position.clear();
   for (std::size_t v = 0; v < points.size(); ++v) {
-    if (!used[v]) continue;
+    if (vertex[v] < 0) continue;
     vertex[v] = int32_t(c.position.size());
     c.position.push_back(points.at(int32_t(v)));
     sample.push_back(points.sample(int32_t(v)));
@@ -310,7 +310,7 @@ std::vector<int32_t> ComplexEditor::finish() {
   for (std::size_t d = 0; d < dart.size(); ++d) {
     if (!alive_[d]) continue;
     Dart moved = c.darts[d];
-    moved.from = vertex[from(int32_t(d))];
+    moved.from = vertex[moved.from];
     moved.next = dart[moved.next];
     moved.previous = dart[moved.previous];
     moved.twin = dart[moved.twin];

@@ -15,6 +15,7 @@
 #include "ball_surface/replace_needles.h"
 #include "ball_surface/turn_outwards.h"
 #include "core/error.h"
+#include "core/hash.h"
 #include "core/progress.h"
 #include "dual/orthospheres.h"
 #include "sampling/checks.h"
@@ -23,6 +24,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 
 namespace vbm::impl {
 namespace {
@@ -156,16 +158,33 @@ void split_polygons(PatchMesh &mesh, const DualShape &shape, Triangles &triangle
   mesh.ball = std::move(split.ball);
 }
 
+/// Of a place; 0 is 0 whatever its sign.
+uint64_t hash_of(const Vec3 &p) {
+  uint64_t hash = 0;
+  for (double x : {p.x + 0.0, p.y + 0.0, p.z + 0.0}) {
+    uint64_t bits;
+    std::memcpy(&bits, &x, sizeof bits);
+    hash = hash_index(hash ^ bits);
+  }
+  return hash;
+}
+
 /// Counts vertices that stand where another stands.
 uint64_t count_doubles(const std::vector<Vec3> &position, Progress &progress) {
-  std::vector<Vec3> sorted(position);
-  progress.tick_slow(0, 1);
-  std::sort(sorted.begin(), sorted.end(), [](const Vec3 &a, const Vec3 &b) {
-    if (a.x != b.x) return a.x < b.x;
-    return a.y != b.y ? a.y < b.y : a.z < b.z;
-  });
+  // Open addressing, in a table that is at most half full.
+  std::size_t size = 16;
+  while (size < 2 * position.size()) size *= 2;
+  std::vector<int32_t> table(size, -1);
   uint64_t doubles = 0;
-  for (std::size_t i = 1; i < sorted.size(); ++i) doubles += sorted[i] == sorted[i - 1];
+  for (std::size_t v = 0; v < position.size(); ++v) {
+    progress.tick(v, position.size());
+    std::size_t at = hash_of(position[v]) & (size - 1);
+    while (table[at] >= 0 && !(position[table[at]] == position[v])) at = (at + 1) & (size - 1);
+    if (table[at] >= 0)
+      ++doubles;
+    else
+      table[at] = int32_t(v);
+  }
   return doubles;
 }
 
