@@ -24,7 +24,10 @@ public:
 
   bool alive(int32_t d) const { return alive_[d] != 0; }
   /// The vertex a dart begins at, of all that became one.
-  int32_t from(int32_t d) { return points.find(complex.darts[d].from); }
+  int32_t from(int32_t d) {
+    int32_t &v = complex.darts[d].from; // kept, so that it takes no search the next time
+    return v = points.find(v);
+  }
   int32_t to(int32_t d) { return from(complex.darts[d].twin); }
 
   /// Contracts a dart and its twin; false where it ends where it begins.

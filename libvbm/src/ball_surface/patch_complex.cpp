@@ -33,6 +33,12 @@ public:
     out_.patches.reserve(map_.patches.size());
     for (const BoundaryMap::Patch &p : map_.patches)
       out_.patches.push_back({p.ball, p.loops, 0, p.wraps});
+    // Darts begin where their corners are now, so that it takes no search to tell.
+    name_.reserve(map_.position.size());
+    for (std::size_t v = 0; v < map_.position.size(); ++v) {
+      progress_.tick(v, 4 * map_.position.size());
+      name_.push_back(points_.find(int32_t(v)));
+    }
     begin_.reserve(map_.spans.size() + 1);
     for (std::size_t s = 0; s < map_.spans.size(); ++s) {
       progress_.tick(s, 2 * map_.spans.size());
@@ -102,8 +108,8 @@ private:
       const int32_t there =
           k + 1 == pieces ? last : add_vertex(PatchComplex::point(out_.circles[number], to));
       out_.arcs.push_back({number, at, there, from, to});
-      out_.darts.push_back({there, -1, -1, dart + 1, against, arc, false});
-      out_.darts.push_back({at, -1, -1, dart, along, arc, true});
+      out_.darts.push_back({name(there), -1, -1, dart + 1, against, arc, false});
+      out_.darts.push_back({name(at), -1, -1, dart, along, arc, true});
       if (k > 0) {
         set_next(dart - 1, dart + 1);
         set_next(dart, dart - 2);
@@ -111,6 +117,8 @@ private:
       at = there;
     }
   }
+
+  int32_t name(int32_t v) const { return std::size_t(v) < name_.size() ? name_[v] : v; }
 
   void set_next(int32_t dart, int32_t next) {
     out_.darts[dart].next = next;
@@ -143,6 +151,7 @@ private:
   MergedPoints &points_;
   Progress &progress_;
   PatchComplex out_;
+  std::vector<int32_t> name_;  // by point: that of all that became one with it
   std::vector<int32_t> begin_; // by span: its first dart, or that of the next that has any
 };
 

@@ -73,8 +73,8 @@ inline double bulge_of(const PatchComplex &complex, const PatchOptions &options,
 }
 
 /// The complex of a map without the arcs that were contracted, which are given by span; no loop of
-/// its may be all gone. Vertices are `points`, not merged yet, and those within arcs, which are
-/// added there.
+/// its may be all gone. Vertices are `points`, and those within arcs, which are added
+/// there.
 PatchComplex patch_complex(const BoundaryMap &map, const DualShape &shape,
                            const std::vector<uint8_t> &contracted, const PatchOptions &options,
                            MergedPoints &points, Progress &progress);
