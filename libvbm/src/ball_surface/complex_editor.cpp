@@ -4,7 +4,6 @@
 #include "ball_surface/complex_editor.h"
 
 #include "core/progress.h"
-#include "core/sort_edges.h"
 #include "dual/orthospheres.h"
 
 #include <algorithm>
@@ -258,28 +257,43 @@ void ComplexEditor::join(int32_t d) {
 }
 
 void ComplexEditor::split_double_arcs(Progress &progress) {
+  struct Arc {
+    int32_t high, next; // its upper end, and the arc before it with the same lower one
+  };
   struct Key {
     int32_t low, high, dart;
+    bool operator<(const Key &other) const {
+      if (low != other.low) return low < other.low;
+      return high != other.high ? high < other.high : dart < other.dart;
+    }
   };
-  std::vector<Key> keys;
+  std::vector<int32_t> last(points.size(), -1); // by lower end
+  std::vector<Arc> arcs;
+  std::vector<Key> keys; // of arcs that are loops, or have the ends of one before
+  arcs.reserve(complex.darts.size() / 2);
   for (std::size_t d = 0; d < complex.darts.size(); ++d) {
+    progress.tick(d, complex.darts.size());
     if (!alive_[d] || complex.darts[d].twin < int32_t(d)) continue;
     const int32_t u = from(int32_t(d)), v = to(int32_t(d));
-    keys.push_back({std::min(u, v), std::max(u, v), int32_t(d)});
+    const int32_t low = std::min(u, v), high = std::max(u, v);
+    int32_t same = u == v ? 0 : last[low];
+    while (same >= 0 && u != v && arcs[same].high != high) same = arcs[same].next;
+    if (same >= 0) {
+      keys.push_back({low, high, int32_t(d)});
+      continue;
+    }
+    arcs.push_back({high, last[low]});
+    last[low] = int32_t(arcs.size()) - 1;
   }
-  progress.tick_slow(2, 3);
-  sort_edges(keys, points.size(), progress);
+  std::sort(keys.begin(), keys.end());
   const auto halve = [&](int32_t d) {
     const PatchComplex::Arc &arc = complex.arcs[complex.darts[d].arc];
     split(d, (arc.from + arc.to) / 2);
   };
-  for (std::size_t k = 0; k < keys.size(); ++k) {
-    progress.tick(2 * keys.size() + k, 3 * keys.size());
-    const Key &key = keys[k];
-    const bool loop = key.low == key.high;
-    const bool again = k > 0 && keys[k - 1].low == key.low && keys[k - 1].high == key.high;
-    if (loop) halve(key.dart);
-    if (loop || again) halve(key.dart);
+  for (const Key &key : keys) {
+    progress.tick(1, 1);
+    if (key.low == key.high) halve(key.dart);
+    halve(key.dart);
   }
 }
 

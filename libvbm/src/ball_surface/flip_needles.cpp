@@ -18,6 +18,9 @@ constexpr double kNeedle = 0.067;
 /// Share of the radius.
 constexpr double kDeep = 0.02;
 
+/// Share of a product of lengths: what it may err by, and a thousand times more.
+constexpr double kUnsure = 1e-12;
+
 class Flipping {
 public:
   Flipping(const std::vector<Vec3> &position, const std::vector<Ball> &balls,
@@ -52,8 +55,14 @@ private:
   /// Whether it is a needle, faces its ball, or has an edge that is far from it for its size.
   bool is_bad(int32_t i) const {
     const Vec3 &a = position_[t_[i][0]], &b = position_[t_[i][1]], &c = position_[t_[i][2]];
-    if (thinness(a, b, c) < kNeedle || faces_ball(i, t_[i][0], t_[i][1], t_[i][2])) return true;
     const Ball &ball = balls_[ball_[i]];
+    if (thinness(a, b, c) < kNeedle) return true;
+    // Most are seen not to face it from any corner.
+    const Vec3 p = b - a, q = c - a, out = a + b + c - ball.center * 3.0;
+    const double most = std::max(dot(p, p), dot(q, q)) *
+                        (1 + std::fabs(out.x) + std::fabs(out.y) + std::fabs(out.z));
+    if (!(dot(cross(p, q), out) > kUnsure * most) && faces_ball(i, t_[i][0], t_[i][1], t_[i][2]))
+      return true;
     const double square = ball.radius * ball.radius;
     const auto is_deep = [&](const Vec3 &x) {
       const Vec3 d = x - ball.center;
