@@ -67,6 +67,7 @@ public:
   /// Arcs that are nothing but two names for their place.
   void null_arcs() {
     const bool samples = points_.has_samples();
+    for (double b : map_.blur) most_blur_ = std::max(most_blur_, 2 * b);
     for (std::size_t s = 0; s < map_.spans.size(); ++s) {
       progress_.tick(s, map_.spans.size());
       const int32_t u = map_.from[2 * s], v = map_.from[2 * s + 1];
@@ -128,7 +129,8 @@ private:
       const int32_t p = points_.sample(points_.find(u)), q = points_.sample(points_.find(v));
       if (p >= 0 && q >= 0) return p == q;
     }
-    return distance(map_.position[u], map_.position[v]) <= map_.blur[u] + map_.blur[v];
+    const double gap = distance(map_.position[u], map_.position[v]);
+    return gap <= most_blur_ && gap <= map_.blur[u] + map_.blur[v]; // the first tells of most
   }
 
   bool contract(std::size_t s, int32_t u, int32_t v) {
@@ -143,6 +145,7 @@ private:
   MergedPoints &points_;
   Progress &progress_;
   ContractedArcs out_;
+  double most_blur_ = 0; // of two points together
 };
 
 } // namespace
