@@ -285,8 +285,9 @@ private:
     const PatchComplex::Arc &arc = c.arcs[c.darts[d].arc];
     if (angle <= arc.from || angle >= arc.to || editor_.from(d) == u || editor_.to(d) == u)
       return -1;
-    if (!is_across(p, (x + editor_.piece_point(d, angle)) * 0.5, reach)) return -1;
-    const int32_t made = editor_.split(d, angle);
+    const Vec3 on = PatchComplex::point(c.circles[arc.circle], angle);
+    if (!is_across(p, (x + editor_.piece_point(d, angle, on)) * 0.5, reach)) return -1;
+    const int32_t made = editor_.split(d, angle, on);
     if (reach_at(c.darts[d]) == 0) editor_.points.fix(made);
     parts_[n.piece].push_back(c.darts[d].next);
     return c.darts[d].next;

@@ -176,23 +176,27 @@ Vec3 ComplexEditor::piece_point(int32_t d, double angle, const Vec3 &p) {
 
 /// Two copies of an arc, the part a dart begins with and the rest.
 void ComplexEditor::divide(PatchComplex::Arc &near, PatchComplex::Arc &far, bool forward,
-                           double angle) {
-  const int32_t p = int32_t(singular_.size() + complex.position.size());
-  complex.position.push_back(PatchComplex::point(complex.circles[near.circle], angle));
+                           double angle, const Vec3 &p) {
+  const int32_t number = int32_t(singular_.size() + complex.position.size());
+  complex.position.push_back(p);
   PatchComplex::Arc &low = forward ? near : far, &high = forward ? far : near;
   low.to = high.from = angle;
-  low.end = high.begin = p;
+  low.end = high.begin = number;
 }
 
 int32_t ComplexEditor::split(int32_t d, double angle) {
+  return split(d, angle, PatchComplex::point(complex.circle(complex.darts[d]), angle));
+}
+
+int32_t ComplexEditor::split(int32_t d, double angle, const Vec3 &p) {
   std::vector<Dart> &darts = complex.darts;
   const int32_t t = darts[d].twin, d2 = int32_t(darts.size()), t2 = d2 + 1;
-  const int32_t m = points.add(piece_point(d, angle));
+  const int32_t m = points.add(piece_point(d, angle, p));
   PatchComplex::Arc near = complex.arcs[darts[d].arc], far = near;
   const double span = near.to - near.from;
   const double part =
       span > 0 ? (darts[d].forward ? angle - near.from : near.to - angle) / span : 0.5;
-  divide(near, far, darts[d].forward, angle);
+  divide(near, far, darts[d].forward, angle, p);
   const int32_t near_arc = int32_t(complex.arcs.size());
   complex.arcs.push_back(near);
   complex.arcs.push_back(far);
@@ -216,7 +220,8 @@ int32_t ComplexEditor::split(int32_t d, double angle) {
     const double there = darts[t].forward ? whole.to - share * (whole.to - whole.from)
                                           : whole.from + share * (whole.to - whole.from);
     PatchComplex::Arc first = whole, last = whole; // t's: to the vertex, and on from there
-    divide(first, last, darts[t].forward, there);
+    divide(first, last, darts[t].forward, there,
+           PatchComplex::point(complex.circles[whole.circle], there));
     darts[t].arc = int32_t(complex.arcs.size());
     back.arc = darts[t].arc + 1;
     complex.arcs.push_back(first);

@@ -38,6 +38,8 @@ public:
   int32_t zip(int32_t d, int32_t e);
   /// A vertex in a dart and its twin, at an angle of its arc: they end there, and two more follow.
   int32_t split(int32_t d, double angle);
+  /// The same, where the circle's own point there is known.
+  int32_t split(int32_t d, double angle, const Vec3 &p);
   /// Undoes that for a vertex with two arcs: dart d, which begins there, joins the one before it.
   void join(int32_t d);
 
@@ -69,7 +71,8 @@ private:
   void fill_loop(int32_t patch);
   void trim(int32_t d);
   void close_mouth(int32_t patch, double bulge);
-  void divide(PatchComplex::Arc &near, PatchComplex::Arc &far, bool forward, double angle);
+  void divide(PatchComplex::Arc &near, PatchComplex::Arc &far, bool forward, double angle,
+              const Vec3 &p);
   const Vec3 &place(int32_t i) const {
     const std::size_t known = singular_.size();
     return std::size_t(i) < known ? singular_[i] : complex.position[std::size_t(i) - known];
