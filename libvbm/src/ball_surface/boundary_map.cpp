@@ -70,7 +70,7 @@ private:
   }
 
   /// Of the triangles and of the edges, one thread's work: what it adds up by ball.
-  struct Part {
+  struct alignas(kApart) Part {
     std::vector<AngleSum> corners; // of each ball's patches
     std::vector<double> bare;
     std::size_t first_point = 0, first_span = 0, offset_points = 0;

@@ -2,11 +2,16 @@
 // Several threads for one call.
 #pragma once
 
+#include <cstddef>
 #include <functional>
 
 namespace vbm::impl {
 
 class Progress;
+
+/// What threads write to is to be so far apart, in bytes, or each waits for the other's writes: two
+/// cache lines, as processors fetch them in pairs.
+inline constexpr std::size_t kApart = 128;
 
 /// Runs work(part, progress) once for every part from 0 to parts - 1, on as many threads as there
 /// are processors and the call may use (Progress::threads()). What a part does must not depend on

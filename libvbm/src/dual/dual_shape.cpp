@@ -41,7 +41,7 @@ private:
   static constexpr uint32_t kNoTriangle = UINT32_MAX;
 
   /// What is found from the cells of one of several parts.
-  struct Part {
+  struct alignas(kApart) Part {
     std::size_t begin, end; // cells
     std::vector<DualShape::Triangle> triangles;
     std::vector<DualShape::Edge> edges;
