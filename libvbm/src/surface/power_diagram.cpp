@@ -19,6 +19,7 @@
 #include "core/tolerances.h"
 #include "surface/insertion_order.h"
 #include "surface/power_predicates.h"
+#include "surface/power_side_wide.h"
 
 #include <algorithm>
 #include <cmath>
@@ -52,9 +53,10 @@ public:
 private:
   using Cell = PowerDiagram::Cell;
 
-  bool conflict(const Cell &c, const Site &p) const {
-    return power_side(site_[c.ball[0]], site_[c.ball[1]], site_[c.ball[2]], site_[c.ball[3]], p) >
-           0;
+  bool is_in_conflict(const Site *site, const Cell &c, const Site &p) const {
+    const Site &s0 = site[c.ball[0]], &s1 = site[c.ball[1]], &s2 = site[c.ball[2]],
+               &s3 = site[c.ball[3]];
+    return (wide_ ? power_side_wide(s0, s1, s2, s3, p) : power_side(s0, s1, s2, s3, p)) > 0;
   }
 
   /// The tetrahedron that contains p: walks through facets that p lies behind. Visibility walks in
@@ -80,7 +82,7 @@ private:
   void insert(int32_t ball) {
     const Site &p = site_[ball];
     const int32_t first = locate(p);
-    if (!conflict(cell_[first], p)) return; // hidden
+    if (!is_in_conflict(site_.data(), cell_[first], p)) return; // hidden
     find_conflicts(ball, first);
     fill_hole(ball);
     free_.insert(free_.end(), conflict_.begin(), conflict_.begin() + std::ptrdiff_t(found_));
@@ -118,8 +120,7 @@ private:
           Cell &next = cell[code >> 2];
           in = next.ball[0] < 0;
           if ((next.ball[0] | next.ball[1]) >= 0) {
-            in = power_side(site[next.ball[0]], site[next.ball[1]], site[next.ball[2]],
-                            site[next.ball[3]], p) > 0;
+            in = is_in_conflict(site, next, p);
             next.ball[1 - in] |= kMark;
             conflict[found] = code >> 2;
             entry[found] = code & 3;
@@ -235,6 +236,7 @@ private:
 
   static constexpr std::size_t kTable = 64; // sites round a hole, on average 18
 
+  const bool wide_ = has_four_doubles();
   std::vector<Site> site_;
   std::vector<Cell> cell_;
   std::vector<int32_t> free_;
