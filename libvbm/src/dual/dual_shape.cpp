@@ -45,7 +45,8 @@ private:
     std::size_t begin, end; // cells
     std::vector<DualShape::Triangle> triangles;
     std::vector<DualShape::Edge> edges;
-    std::vector<DualShape::Turn> turns;
+    std::vector<DualShape::Turn> turns; // and room for more
+    std::size_t count = 0;              // how many there are
   };
 
   const Site &site(int32_t ball) const { return shape_.site[ball]; }
@@ -96,8 +97,9 @@ private:
           if (!triangle_alone(ball, cell.ball[i], shape_.cells[other >> 2].ball[other & 3]))
             continue;
         }
-        turn_[code] = 4 * uint32_t(part.triangles.size());
-        turn_[other] = turn_[code] + 2;
+        const uint32_t first = 4 * uint32_t(part.triangles.size());
+        turn_[code] = first + !in0;
+        turn_[other] = first + 2 + !in1;
         part.triangles.push_back({ball, code, {uint8_t(!in0), uint8_t(!in1)}});
       }
     }
@@ -128,7 +130,8 @@ private:
   /// that it is done.
   void find_edges(Part &part, Progress &progress) {
     std::vector<uint8_t> done(part.end - part.begin, 0);
-    part.turns.reserve(3 * room_of(part) * shape_.triangles.size() / shape_.cells.size());
+    part.turns.reserve(3 * room_of(part) * shape_.triangles.size() / shape_.cells.size() + 1);
+    part.turns.resize(3 * (part.end - part.begin) * shape_.triangles.size() / shape_.cells.size());
     part.edges.reserve(room_of(part));
     for (std::size_t c = part.begin; c < part.end; ++c) {
       progress.tick(2 * part.end + c, 4 * part.end);
@@ -142,36 +145,38 @@ private:
             turn_about(part, done, int32_t(c), i, j);
         }
     }
+    part.turns.resize(part.count);
   }
 
   /// About the edge from a tetrahedron's ball i to its ball j.
   void turn_about(Part &part, std::vector<uint8_t> &done, int32_t first, int i, int j) {
-    const uint32_t begin = uint32_t(part.turns.size());
     const int32_t a = shape_.cells[first].ball[i], b = shape_.cells[first].ball[j];
+    const Cell *const cell = shape_.cells.data();
+    const uint32_t *const turn = turn_.data();
+    uint8_t *const done_here = done.data();
+    const std::size_t begin = part.begin, cells = part.end - part.begin;
+    std::size_t count = part.count;
     bool is_first = true;
     int32_t at = first;
-    int k = kTurn[i][j], l = 6 - i - j - k;
     do {
-      if (const uint32_t turn = turn_[4 * at + l]; turn != kNoTriangle)
-        part.turns.push_back({turn + !shape_.cell_in[at]});
-      if (std::size_t(at) < part.begin)
-        is_first = false;
-      else if (std::size_t(at) < part.end)
-        done[std::size_t(at) - part.begin] |= kEdgeBit[i][j];
-      const int32_t code = shape_.cells[at].neighbor[k];
-      at = code >> 2;
-      l = code & 3;
-      i = index_of(shape_.cells[at], a);
-      j = kTurn[i][l];
-      k = kTurn[i][j];
+      const int k = kTurn[i][j], l = 6 - i - j - k;
+      if (count == part.turns.size()) part.turns.resize(2 * count + 1024);
+      // Whether there is a triangle is as good as random, so nothing is branched on it.
+      const uint32_t code = turn[4 * at + l];
+      part.turns[count].code = code;
+      count += code != kNoTriangle;
+      const std::size_t here = std::size_t(at) - begin;
+      if (here < cells)
+        done_here[here] |= kEdgeBit[i][j];
+      else
+        is_first &= std::size_t(at) >= begin;
+      at = cell[at].neighbor[k] >> 2;
+      i = index_of(cell[at], a);
+      j = index_of(cell[at], b);
     } while (at != first);
-    if (!is_first) { // of a part before
-      part.turns.resize(begin);
-      return;
-    }
-    const uint32_t end = uint32_t(part.turns.size());
-    if (begin == end && !edge_alone(a, b, first)) return;
-    part.edges.push_back({a, b, first, begin, end});
+    if (!is_first || (count == part.count && !edge_alone(a, b, first))) return;
+    part.edges.push_back({a, b, first, uint32_t(part.count), uint32_t(count)});
+    part.count = count;
   }
 
   bool edge_alone(int32_t a, int32_t b, int32_t first) const {
