@@ -137,13 +137,11 @@ private:
       progress.tick(2 * part.end + c, 4 * part.end);
       for (int k = 0; k < 4; ++k)
         shape_.facet_in[c] |= uint8_t((turn_[4 * c + std::size_t(k)] != kNoTriangle) << k);
-      const Cell &cell = shape_.cells[c];
-      for (int i = 0; i < 4; ++i)
-        for (int j = i + 1; j < 4; ++j) {
-          if (done[c - part.begin] & kEdgeBit[i][j]) continue;
-          if (shape_.real(cell.ball[i]) && shape_.real(cell.ball[j]))
-            turn_about(part, done, int32_t(c), i, j);
-        }
+      for (uint8_t left = uint8_t(edges_of(shape_.cells[c]) & ~done[c - part.begin]); left;
+           left &= uint8_t(left - 1)) {
+        const int *const edge = kEdgeEnds[lowest_bit(left)];
+        turn_about(part, done, int32_t(c), edge[0], edge[1]);
+      }
     }
     part.turns.resize(part.count);
   }
@@ -177,6 +175,21 @@ private:
     if (!is_first || (count == part.count && !edge_alone(a, b, first))) return;
     part.edges.push_back({a, b, first, uint32_t(part.count), uint32_t(count)});
     part.count = count;
+  }
+
+  /// The bits of those that end at no far corner.
+  uint8_t edges_of(const Cell &cell) const {
+    uint8_t edges = 63;
+    if (!all_real(cell))
+      for (int i = 0; i < 4; ++i)
+        for (int j = 0; j < 4; ++j)
+          if (i != j && !shape_.real(cell.ball[i])) edges &= uint8_t(~kEdgeBit[i][j]);
+    return edges;
+  }
+  static int lowest_bit(unsigned bits) {
+    int at = 0;
+    while (!(bits >> at & 1)) ++at;
+    return at;
   }
 
   bool edge_alone(int32_t a, int32_t b, int32_t first) const {
@@ -234,6 +247,7 @@ private:
 
   static constexpr uint8_t kEdgeBit[4][4] = {
       {0, 1, 2, 4}, {1, 0, 8, 16}, {2, 8, 0, 32}, {4, 16, 32, 0}};
+  static constexpr int kEdgeEnds[6][2] = {{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}};
 
   DualShape &shape_;
   Progress &progress_;
