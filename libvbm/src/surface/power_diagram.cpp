@@ -93,6 +93,10 @@ private:
   // ball[1] one found not in conflict: a cell then costs one cache line to look at.
   static constexpr int32_t kMark = INT32_MIN;
 
+  /// Beside the one a cell was found through: the first was found through none, number 4.
+  static constexpr int kOtherFacets[5][4] = {
+      {1, 2, 3, -1}, {0, 2, 3, -1}, {0, 1, 3, -1}, {0, 1, 2, -1}, {0, 1, 2, 3}};
+
   /// All cells in conflict, which are connected, and the facets around them.
   void find_conflicts(int32_t ball, int32_t first) {
     const Site &p = site_[ball];
@@ -101,19 +105,23 @@ private:
     int32_t *conflict = conflict_.data(), *entry = entry_.data(), *boundary = boundary_.data();
     std::size_t room = conflict_.size(), found = 1, around = 0;
     conflict[0] = first;
-    entry[0] = -1;
+    entry[0] = 4;
     cell[first].ball[0] |= kMark;
     // What a test finds is as good as random, so nothing is branched on it: both lists are written
-    // to, and only one of them grows.
+    // to, and only one of them grows. Nor is it on the facet that a cell was found through.
     for (std::size_t k = 0; k < found; ++k) {
       if (found + 4 > room || around + 4 > room) {
         room = 2 * room;
         make_room(room);
         conflict = conflict_.data(), entry = entry_.data(), boundary = boundary_.data();
       }
-      const int32_t at = conflict[k], entered = entry[k];
-      for (int i = 0; i < 4; ++i) {
-        if (i == entered) continue;
+      if (k + 1 < found)
+        for (int32_t ahead : cell[conflict[k + 1]].neighbor)
+          prefetch(cell + (std::max(ahead, 0) >> 2));
+      const int32_t at = conflict[k];
+      const int *const facets = kOtherFacets[entry[k]];
+      for (int n = 0; n < (k == 0 ? 4 : 3); ++n) {
+        const int i = facets[n];
         const int32_t code = cell[at].neighbor[i];
         int32_t in = 0;
         if (code >= 0) {
@@ -125,7 +133,6 @@ private:
             conflict[found] = code >> 2;
             entry[found] = code & 3;
             found += std::size_t(in);
-            for (int32_t ahead : next.neighbor) prefetch(cell + (std::max(ahead, 0) >> 2));
           }
         }
         boundary[around] = at * 4 + i;
