@@ -48,9 +48,9 @@ def measured(surface, centers, radii, most=4000):
 
 def row(name, style, centers, radii):
     """Print it; returns the surface and its mean error as a share of the diagonal."""
-    start = time.process_time()
+    start = time.perf_counter()
     surface = vbm.surface_from_balls(centers, radii, style=STYLES[style])
-    seconds = time.process_time() - start
+    seconds = time.perf_counter() - start
     surface = vbm.surface_from_balls(centers, radii, style=STYLES[style], errors=True)
     report, size = surface.report, np.linalg.norm(np.ptp(surface.vertices, axis=0))
     mean, largest = measured(surface, centers, radii)
@@ -65,7 +65,7 @@ def row(name, style, centers, radii):
 
 
 def head():
-    print(f"\n{'':16} {'balls':>6} {'style':16} {'polygons':>8} {'a ball':>6} {'triangles':>9} {'CPU s':>8} {'comp.':>6}"
+    print(f"\n{'':16} {'balls':>6} {'style':16} {'polygons':>8} {'a ball':>6} {'triangles':>9} {'s':>8} {'comp.':>6}"
           f" {'genus':>6} {'to it':>8} {'largest':>8} {'from it':>8} {'largest':>8} {'measured':>8} {'largest':>8}"
           f" {'volume':>8}")
 

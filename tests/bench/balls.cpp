@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Speed of surfaces from balls, as ratios to CGAL's bare regular triangulation of the same balls in
-// the same process, the median of several rounds; and CGAL's own skin surface on demand. It
-// measures and passes no judgement: it always ends with 0 unless it cannot run.
-//   vbm_bench_balls [--repeat N] [--skin] [MODEL.obj | BALLS.csv ...]
+// the same process, the median of several rounds that take turns; and CGAL's own skin surface on
+// demand. Ratios are of the time one waits, and of processor time: calls use as many threads as
+// there are processors, unless told otherwise. It measures and passes no judgement: it always ends
+// with 0 unless it cannot run.
+//   vbm_bench_balls [--repeat N] [--threads N] [--skin] [MODEL.obj | BALLS.csv ...]
 // A CSV file has a ball a line: x, y, z and radius, after a line of names.
 #include "bare.h"
 #include "bare_skin.h"
@@ -56,72 +58,90 @@ Balls read_csv(const std::string &path) {
   return balls;
 }
 
-double median_seconds(int repeat, const std::function<void()> &work) {
-  std::vector<double> seconds;
-  for (int i = 0; i < repeat; ++i) {
-    const bench::Seconds start = bench::now();
-    work();
-    seconds.push_back((bench::now() - start).cpu);
-  }
-  std::sort(seconds.begin(), seconds.end());
-  return seconds[seconds.size() / 2];
+double median(std::vector<double> of) {
+  std::sort(of.begin(), of.end());
+  return of[of.size() / 2];
 }
 
-void table(const Balls &balls, int repeat, bool skin) {
-  const double bare =
-      median_seconds(repeat, [&] { bench::bare_regular(balls.centers, balls.radii); });
+/// Medians of several rounds: of seconds, and of their ratios to what is compared with.
+struct Medians {
+  double wall, ratio, cpu_ratio;
+};
+
+Medians measure(int repeat, const std::function<void()> &work, const std::function<void()> &bare) {
+  std::vector<double> wall, ratio, cpu_ratio;
+  for (int i = 0; i < repeat; ++i) {
+    const bench::Seconds start = bench::now();
+    bare();
+    const bench::Seconds middle = bench::now();
+    work();
+    const bench::Seconds took = bench::now() - middle, compared = middle - start;
+    wall.push_back(took.wall);
+    ratio.push_back(took.wall / compared.wall);
+    cpu_ratio.push_back(took.cpu / compared.cpu);
+  }
+  return {median(wall), median(ratio), median(cpu_ratio)};
+}
+
+void table(const Balls &balls, int repeat, int threads, bool skin) {
+  const auto bare = [&] { bench::bare_regular(balls.centers, balls.radii); };
+  const Medians alone = measure(repeat, bare, bare);
   std::printf("%s: %zu balls; CGAL's regular triangulation %.3f s\n", balls.name.c_str(),
-              balls.radii.size(), bare);
-  std::printf("  %-18s %9s %9s %8s %6s %6s %8s %8s\n", "", "polygons", "a ball", "triangles",
-              "comp.", "genus", "CPU s", "ratio");
+              balls.radii.size(), alone.wall);
+  std::printf("  %-18s %9s %9s %9s %6s %6s %8s %8s %8s\n", "", "polygons", "a ball", "triangles",
+              "comp.", "genus", "s", "ratio", "of CPU");
   for (int32_t style = VBM_BALL_STYLE_SINGULAR_POINTS; style <= VBM_BALL_STYLE_POWER_CRUST;
        ++style) {
     static const char *const kNames[] = {"singular points", "skin", "power crust"};
     vbm::BallSurfaceOptions options;
     options.style = style;
     vbm_surface_report report{};
-    const double seconds = median_seconds(repeat, [&] {
+    const auto work = [&] {
       vbm::Context context;
+      context.set_threads(threads);
       report = vbm::surface_from_balls(context, {balls.centers.data(), balls.radii.size()},
                                        {balls.radii.data(), balls.radii.size()}, options)
                    .report();
-    });
-    std::printf("  %-18s %9llu %9.2f %9llu %6llu %6lld %8.3f %8.2f", kNames[style],
+    };
+    const Medians m = measure(style == VBM_BALL_STYLE_SINGULAR_POINTS ? repeat : 1, work, bare);
+    std::printf("  %-18s %9llu %9.2f %9llu %6llu %6lld %8.3f %8.2f %8.2f", kNames[style],
                 static_cast<unsigned long long>(report.polygons),
                 double(report.polygons) / double(balls.radii.size()),
                 static_cast<unsigned long long>(report.triangles),
                 static_cast<unsigned long long>(report.components),
-                static_cast<long long>(report.genus), seconds, seconds / bare);
+                static_cast<long long>(report.genus), m.wall, m.ratio, m.cpu_ratio);
     if (style == VBM_BALL_STYLE_SINGULAR_POINTS)
-      std::printf("   goal <= %g: %s", kGoal, seconds / bare <= kGoal ? "pass" : "over");
+      std::printf("   goal <= %g: %s", kGoal, m.ratio <= kGoal ? "pass" : "over");
     std::printf("\n");
     std::fflush(stdout);
   }
   if (!skin) return;
   bench::SkinSize size;
-  const double seconds =
-      median_seconds(1, [&] { size = bench::bare_skin(balls.centers, balls.radii, 0.9); });
-  std::printf("  %-18s %9zu %9.2f %9zu %6zu %6lld %8.3f %8.2f\n", "CGAL's skin", size.triangles,
-              double(size.triangles) / double(balls.radii.size()), size.triangles, size.components,
-              static_cast<long long>(size.genus()), seconds, seconds / bare);
+  const Medians m =
+      measure(1, [&] { size = bench::bare_skin(balls.centers, balls.radii, 0.9); }, bare);
+  std::printf("  %-18s %9zu %9.2f %9zu %6zu %6lld %8.3f %8.2f %8.2f\n", "CGAL's skin",
+              size.triangles, double(size.triangles) / double(balls.radii.size()), size.triangles,
+              size.components, static_cast<long long>(size.genus()), m.wall, m.ratio, m.cpu_ratio);
 }
 
 int run(int argc, char **argv) {
-  int repeat = 5;
+  int repeat = 15, threads = 0;
   bool skin = false, given = false;
   for (int i = 1; i < argc; ++i) {
     const std::string arg = argv[i];
     if (arg == "--repeat" && i + 1 < argc) {
       repeat = std::max(1, std::atoi(argv[++i]));
+    } else if (arg == "--threads" && i + 1 < argc) {
+      threads = std::atoi(argv[++i]);
     } else if (arg == "--skin") {
       skin = true;
     } else {
       given = true;
       const bool csv = arg.size() > 4 && arg.compare(arg.size() - 4, 4, ".csv") == 0;
-      table(csv ? read_csv(arg) : polar_balls(bench::read_obj(arg)), repeat, skin);
+      table(csv ? read_csv(arg) : polar_balls(bench::read_obj(arg)), repeat, threads, skin);
     }
   }
-  if (!given) table(polar_balls(bench::bunny()), repeat, skin);
+  if (!given) table(polar_balls(bench::bunny()), repeat, threads, skin);
   return 0;
 }
 

@@ -13,6 +13,7 @@
 #include <thread>
 #include <vector>
 
+#include <sched.h>
 #include <signal.h>
 
 namespace vbm::impl {
@@ -104,10 +105,22 @@ private:
 
 } // namespace
 
+namespace {
+
+/// Those that this process may run on: the host may have been given some of the machine's only.
+int processors() {
+#ifdef __linux__
+  cpu_set_t set;
+  if (sched_getaffinity(0, sizeof set, &set) == 0) return std::max(1, CPU_COUNT(&set));
+#endif
+  return std::max(1, int(std::thread::hardware_concurrency()));
+}
+
+} // namespace
+
 void run_parts(int parts, Progress &progress, const std::function<void(int, Progress &)> &work) {
-  const int processors = std::max(1, int(std::thread::hardware_concurrency()));
-  const int most = progress.threads() > 0 ? progress.threads() : processors;
-  const int threads = std::min({parts, processors, most});
+  int threads = progress.threads() > 0 ? std::min(parts, progress.threads()) : parts;
+  if (threads > 1) threads = std::min(threads, processors());
   if (threads > 1) {
     Crew(parts, work).run(threads, progress);
     return;
