@@ -38,7 +38,7 @@ struct BoundaryMap {
   std::vector<Vec3> position; // of singular points, unit frame
   std::vector<double> blur;   // how far the balls' changed radii may have moved them
   std::vector<int32_t> code;  // of singular points: 2 * triangle + side
-  std::vector<Span> spans;
+  LargeList<Span> spans;
   std::vector<int32_t> from;     // by side: the singular point it begins at, -1 of whole circles
   std::vector<int32_t> next;     // by side: the one after it, round the patch
   std::vector<int32_t> patch_of; // by side

@@ -29,7 +29,7 @@ bool ComplexEditor::contract(int32_t d) {
 }
 
 int32_t ComplexEditor::zip(int32_t d, int32_t e) {
-  std::vector<Dart> &darts = complex.darts;
+  LargeList<Dart> &darts = complex.darts;
   points.unite(from(d), from(e));
   const int32_t p = darts[d].patch, before_d = darts[d].previous, before_e = darts[e].previous;
   const bool disk = complex.patches[p].loops == 1;
@@ -119,7 +119,7 @@ void ComplexEditor::fill_loop(int32_t p) {
 
 /// What is left of an arc with the same patch all round it: it ends nowhere.
 void ComplexEditor::trim(int32_t d) {
-  std::vector<Dart> &darts = complex.darts;
+  LargeList<Dart> &darts = complex.darts;
   while (alive_[d] && darts[d].next == darts[d].twin) {
     const int32_t t = darts[d].twin, before = darts[d].previous;
     PatchComplex::Patch &patch = complex.patches[darts[d].patch];
@@ -137,7 +137,7 @@ void ComplexEditor::trim(int32_t d) {
 
 /// A disk with two arcs round it becomes an arc, unless it is wide.
 void ComplexEditor::close_mouth(int32_t p, double bulge) {
-  std::vector<Dart> &darts = complex.darts;
+  LargeList<Dart> &darts = complex.darts;
   const int32_t d = dart_of(p), e = darts[d].next, t = darts[d].twin, u = darts[e].twin;
   if (t == e) { // nothing else there
     trim(d);
@@ -189,7 +189,7 @@ int32_t ComplexEditor::split(int32_t d, double angle) {
 }
 
 int32_t ComplexEditor::split(int32_t d, double angle, const Vec3 &p) {
-  std::vector<Dart> &darts = complex.darts;
+  LargeList<Dart> &darts = complex.darts;
   const int32_t t = darts[d].twin, d2 = int32_t(darts.size()), t2 = d2 + 1;
   const int32_t m = points.add(piece_point(d, angle, p));
   PatchComplex::Arc near = complex.arcs[darts[d].arc], far = near;
@@ -245,7 +245,7 @@ int32_t ComplexEditor::split(int32_t d, double angle, const Vec3 &p) {
 
 void ComplexEditor::join(int32_t d) {
   // before: u to w, d: w to v; on the other side t: v to w, after: w to u.
-  std::vector<Dart> &darts = complex.darts;
+  LargeList<Dart> &darts = complex.darts;
   const int32_t before = darts[d].previous, t = darts[d].twin, after = darts[before].twin;
   const PatchComplex::Arc &a = complex.arcs[darts[before].arc], &b = complex.arcs[darts[d].arc];
   if (a.circle == b.circle && darts[before].forward == darts[d].forward) {
@@ -273,7 +273,7 @@ void ComplexEditor::split_double_arcs(Progress &progress) {
     }
   };
   std::vector<int32_t> last(points.size(), -1); // by lower end
-  std::vector<Arc> arcs;
+  LargeList<Arc> arcs;
   std::vector<Key> keys; // of arcs that are loops, or have the ends of one before
   arcs.reserve(complex.darts.size() / 2);
   for (std::size_t d = 0; d < complex.darts.size(); ++d) {

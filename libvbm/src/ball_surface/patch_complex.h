@@ -52,9 +52,9 @@ struct PatchComplex {
   };
 
   std::vector<Vec3> position; // of vertices, unit frame; until it is finished, within arcs only
-  std::vector<Dart> darts;
-  std::vector<Circle> circles;
-  std::vector<Arc> arcs;
+  LargeList<Dart> darts;
+  LargeList<Circle> circles;
+  LargeList<Arc> arcs;
   std::vector<Patch> patches;
   std::vector<double> bare; // see BoundaryMap
   double finer = 0;

@@ -76,7 +76,7 @@ void find_shape(Merged &m, const UnionInput &set, const PatchOptions &options, d
   progress.stage("singular points", 0.8);
   m.map = boundary_map(m.shape, set.balls, options.bridged, progress);
   // Only the map is made of tetrahedra: what they take is the complex's from here on.
-  std::vector<PowerDiagram::Cell>().swap(m.shape.cells);
+  LargeList<PowerDiagram::Cell>().swap(m.shape.cells);
   std::vector<uint8_t>().swap(m.shape.cell_in);
   std::vector<uint8_t>().swap(m.shape.facet_in);
 }

@@ -43,9 +43,9 @@ private:
   /// What is found from the cells of one of several parts.
   struct alignas(kApart) Part {
     std::size_t begin, end; // cells
-    std::vector<DualShape::Triangle> triangles;
-    std::vector<DualShape::Edge> edges;
-    std::vector<DualShape::Turn> turns; // and room for more
+    LargeList<DualShape::Triangle> triangles;
+    LargeList<DualShape::Edge> edges;
+    LargeList<DualShape::Turn> turns; // and room for more
     std::size_t count = 0;              // how many there are
   };
 
@@ -112,7 +112,7 @@ private:
   }
 
   void join_triangles() {
-    std::vector<DualShape::Triangle> &all = shape_.triangles;
+    LargeList<DualShape::Triangle> &all = shape_.triangles;
     all.swap(parts_[0].triangles);
     for (std::size_t n = 1; n < parts_.size(); ++n) {
       const uint32_t before = uint32_t(all.size());
@@ -252,7 +252,7 @@ private:
   DualShape &shape_;
   Progress &progress_;
   std::vector<Part> parts_;
-  std::vector<uint32_t> turn_; // by cell and facet: 4 * triangle + 2 * side
+  LargeList<uint32_t> turn_; // by cell and facet: 4 * triangle + 2 * side
 };
 
 } // namespace

@@ -2,6 +2,7 @@
 // The dual shape of a union of balls.
 #pragma once
 
+#include "core/large_list.h"
 #include "core/model.h"
 #include "surface/power_diagram.h"
 
@@ -42,12 +43,12 @@ struct DualShape {
   std::vector<Site> site;      // the balls as the diagram sees them, unit frame
   std::vector<uint8_t> vertex; // per ball: 1 if it is in the shape
   std::array<Vec3, 4> corner;  // of the far tetrahedron: number vertex.size() and on
-  std::vector<PowerDiagram::Cell> cells;
+  LargeList<PowerDiagram::Cell> cells;
   std::vector<uint8_t> cell_in;  // per cell of the diagram: 1 if it is in the shape
   std::vector<uint8_t> facet_in; // per cell, bit i: facet i is in the shape
-  std::vector<Triangle> triangles;
-  std::vector<Edge> edges;
-  std::vector<Turn> turns;
+  LargeList<Triangle> triangles;
+  LargeList<Edge> edges;
+  LargeList<Turn> turns;
 
   /// The one of a turn's triangle that is not the edge's.
   int32_t ball_of(const Edge &e, uint32_t turn) const {

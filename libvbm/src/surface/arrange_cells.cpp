@@ -7,8 +7,8 @@
 
 namespace vbm::impl {
 
-std::vector<PowerDiagram::Cell> arranged(const std::vector<PowerDiagram::Cell> &cells,
-                                         std::size_t balls, Progress &progress) {
+LargeList<PowerDiagram::Cell> arranged(const LargeList<PowerDiagram::Cell> &cells,
+                                       std::size_t balls, Progress &progress) {
   const std::size_t keys = balls + 4; // far corners, too
   std::vector<uint32_t> first(keys + 2, 0), number(cells.size());
   const auto key = [&](const PowerDiagram::Cell &c) {
@@ -24,7 +24,7 @@ std::vector<PowerDiagram::Cell> arranged(const std::vector<PowerDiagram::Cell> &
     progress.tick(0, 1);
     number[c] = first[key(cells[c])]++;
   }
-  std::vector<PowerDiagram::Cell> out(count);
+  LargeList<PowerDiagram::Cell> out(count);
   for (std::size_t c = 0; c < cells.size(); ++c) {
     progress.tick(0, 1);
     if (number[c] >= count) continue;

@@ -13,7 +13,7 @@ class Progress;
 /// Without those that are none. Balls that were made in some order are near each other in space if
 /// their numbers are, and so are these cells: whoever goes through them finds their neighbours in
 /// the cache. `balls` is how many there are, without far corners.
-std::vector<PowerDiagram::Cell> arranged(const std::vector<PowerDiagram::Cell> &cells,
-                                         std::size_t balls, Progress &progress);
+LargeList<PowerDiagram::Cell> arranged(const LargeList<PowerDiagram::Cell> &cells,
+                                       std::size_t balls, Progress &progress);
 
 } // namespace vbm::impl

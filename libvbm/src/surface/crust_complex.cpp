@@ -30,7 +30,7 @@ constexpr std::size_t kPatch = 512;
 /// The cells that have both sides, component by component, in patches that are each searched
 /// breadth first, the next one from the border of the last: what is near on the surface is near in
 /// memory.
-void collect_mixed(CrustComplex &crust, const std::vector<Cell> &cells, Progress &progress) {
+void collect_mixed(CrustComplex &crust, const LargeList<Cell> &cells, Progress &progress) {
   const auto mixed = [&](const Cell &c) {
     const int inner = crust.is_inner(c.ball[0]) + crust.is_inner(c.ball[1]) +
                       crust.is_inner(c.ball[2]) + crust.is_inner(c.ball[3]);
@@ -82,7 +82,7 @@ void collect_mixed(CrustComplex &crust, const std::vector<Cell> &cells, Progress
 }
 
 void find_rings(CrustComplex &crust, Progress &progress) {
-  const std::vector<Cell> &cells = crust.vertices;
+  const LargeList<Cell> &cells = crust.vertices;
   std::vector<uint8_t> seen(cells.size(), 0); // edges, as in kEdge
   std::vector<uint8_t> rings(cells.size(), 0);
   crust.rings_at.reserve(cells.size());
@@ -135,7 +135,7 @@ CrustComplex crust_complex(PowerDiagram diagram, std::size_t balls, std::size_t 
   crust.balls = balls;
   crust.corner = diagram.corner;
   collect_mixed(crust, diagram.cells, progress);
-  std::vector<Cell>().swap(diagram.cells);
+  LargeList<Cell>().swap(diagram.cells);
   find_rings(crust, progress);
   return crust;
 }

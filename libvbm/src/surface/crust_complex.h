@@ -19,7 +19,7 @@ class Progress;
 struct CrustComplex {
   /// Facets that lie on one side have neighbor -1; codes count vertices of this complex. Neighbours
   /// are near each other in memory.
-  std::vector<PowerDiagram::Cell> vertices;
+  LargeList<PowerDiagram::Cell> vertices;
   uint64_t components = 0;
   int32_t inner = 0;          // balls below this are inner
   std::size_t balls = 0;      // balls of the diagram; beyond are the far corners

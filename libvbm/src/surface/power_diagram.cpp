@@ -48,7 +48,7 @@ public:
     for (int32_t c : free_) cell_[c].ball[0] = -1;
   }
 
-  std::vector<PowerDiagram::Cell> &cells() { return cell_; }
+  LargeList<PowerDiagram::Cell> &cells() { return cell_; }
 
 private:
   using Cell = PowerDiagram::Cell;
@@ -245,7 +245,7 @@ private:
 
   const bool wide_ = has_four_doubles();
   std::vector<Site> site_;
-  std::vector<Cell> cell_;
+  LargeList<Cell> cell_;
   std::vector<int32_t> free_;
   // Of the ball at work: cells in conflict, and the facet each was found through; facets round
   // them, the new cells there, and the numbers of their corners. Longer than what they hold.

@@ -2,6 +2,7 @@
 // The power diagram of balls, as its dual: the regular triangulation of their centres.
 #pragma once
 
+#include "core/large_list.h"
 #include "core/model.h"
 #include "surface/power_predicates.h"
 
@@ -22,7 +23,7 @@ struct PowerDiagram {
     std::array<int32_t, 4>
         neighbor; // opposite ball i: its index * 4 + the facet there; < 0 outside
   };
-  std::vector<Cell> cells;
+  LargeList<Cell> cells;
   std::array<Vec3, 4> corner;  // of the far tetrahedron: weight 0
   std::vector<int32_t> hidden; // balls without a cell, ascending
 };
