@@ -37,7 +37,8 @@ void bind_threads(py::module_ &module) {
   module.def(
       "set_threads", [](int most) { threads = most; }, py::arg("most"),
       "set_threads(most)\n--\n\n"
-      "Calls from here on work with no more than `most` threads at once, the calling one included; with 0,\n"
+      "Calls from here on work with no more than `most` threads at once, the calling one included; "
+      "with 0,\n"
       "as at first, with as many as there are processors. Results are the same with any number.");
 }
 

@@ -117,8 +117,8 @@ void table(const Balls &balls, int repeat, int threads, bool skin) {
   }
   if (!skin) return;
   bench::SkinSize size;
-  const Medians m =
-      measure(1, [&] { size = bench::bare_skin(balls.centers, balls.radii, 0.9); }, bare);
+  const Medians m = measure(
+      1, [&] { size = bench::bare_skin(balls.centers, balls.radii, 0.9); }, bare);
   std::printf("  %-18s %9zu %9.2f %9zu %6zu %6lld %8.3f %8.2f %8.2f\n", "CGAL's skin",
               size.triangles, double(size.triangles) / double(balls.radii.size()), size.triangles,
               size.components, static_cast<long long>(size.genus()), m.wall, m.ratio, m.cpu_ratio);

@@ -52,23 +52,23 @@ TEST(Threads, ContextsAreIndependent) {
   at_once(bodies);
 }
 
-/// Balls enough for a call to be divided among threads, and what becomes of them.
-std::string ball_surface(const shapes::Shape &shape, int32_t threads, int32_t style,
-                         vbm_progress_fn progress = nullptr, void *user = nullptr,
-                         vbm_status expected = VBM_OK) {
-  const std::vector<double> radii(shape.size(), .1);
+/// Balls enough for a call to be divided among threads, and what becomes of them: nothing if it was
+/// cancelled.
+std::string ball_surface(const shapes::Shape &shape, double radius, int32_t threads,
+                         vbm_progress_fn progress = nullptr, void *user = nullptr) {
+  const std::vector<double> radii(shape.size(), radius);
   vbm_context *context = nullptr;
   EXPECT_EQ(vbm_context_create(&context), VBM_OK);
   vbm_context_set_threads(context, threads);
   vbm_context_set_progress(context, progress, user);
   vbm_ball_surface_options options;
   vbm_ball_surface_options_init(&options, sizeof options);
-  options.style = style;
   vbm_surface *surface = nullptr;
-  EXPECT_EQ(vbm_surface_from_balls(context, shape.points.data(), radii.data(), shape.size(),
-                                   &options, &surface),
-            expected)
+  const vbm_status status = vbm_surface_from_balls(context, shape.points.data(), radii.data(),
+                                                   shape.size(), &options, &surface);
+  EXPECT_TRUE(status == VBM_OK || (progress && status == VBM_ERROR_CANCELLED))
       << vbm_context_message(context);
+  EXPECT_EQ(surface != nullptr, status == VBM_OK);
   std::string bytes = surface ? snapshot(surface) : "";
   vbm_surface_free(surface);
   vbm_context_free(context);
@@ -76,25 +76,24 @@ std::string ball_surface(const shapes::Shape &shape, int32_t threads, int32_t st
 }
 
 TEST(Threads, AnyNumberGivesTheSame) {
-  const shapes::Shape torus = shapes::torus(90, 40, 2, .6, .03),
-                      small = shapes::torus(44, 24, 2, .6, .03);
-  for (int32_t style = 0; style < 3; ++style) {
-    const shapes::Shape &shape = style == VBM_BALL_STYLE_SINGULAR_POINTS ? torus : small;
-    const std::string one = ball_surface(shape, 1, style);
+  const shapes::Shape torus = shapes::torus(90, 40, 2, .6, .03);
+  for (double radius : {.1, .4}) {
+    const std::string one = ball_surface(torus, radius, 1);
     EXPECT_FALSE(one.empty());
     for (int32_t threads : {0, 2, 64})
-      EXPECT_TRUE(ball_surface(shape, threads, style) == one) << threads << ", style " << style;
+      EXPECT_TRUE(ball_surface(torus, radius, threads) == one) << threads << ", radius " << radius;
   }
 }
 
 TEST(Threads, ManyAtOnceAreIndependent) {
-  const shapes::Shape torus = shapes::torus(90, 40, 2, .6, .03), other = shapes::torus(50, 60, 2, .9, .02);
-  const std::string first = ball_surface(torus, 1, 0), second = ball_surface(other, 1, 0);
+  const shapes::Shape torus = shapes::torus(90, 40, 2, .6, .03),
+                      other = shapes::torus(50, 60, 2, .9, .02);
+  const std::string first = ball_surface(torus, .1, 1), second = ball_surface(other, .1, 1);
   std::vector<std::function<void()>> bodies;
   for (int i = 0; i < 4; ++i)
     bodies.push_back([&, i] {
       const bool odd = i & 1;
-      EXPECT_TRUE(ball_surface(odd ? other : torus, 2, 0) == (odd ? second : first)) << i;
+      EXPECT_TRUE(ball_surface(odd ? other : torus, .1, 2) == (odd ? second : first)) << i;
     });
   at_once(bodies);
 }
@@ -113,17 +112,21 @@ struct Canceller {
 };
 
 TEST(Threads, CancelledWhereverTheyAre) {
-  const shapes::Shape torus = shapes::torus(300, 160, 2, .6, .003);
+  const shapes::Shape torus = shapes::torus(110, 50, 2, .6, .03);
   Canceller all{1 << 30};
-  const std::string whole = ball_surface(torus, 2, 0, &Canceller::report, &all);
+  const std::string whole = ball_surface(torus, .1, 2, &Canceller::report, &all);
   EXPECT_TRUE(all.only_caller);
   const int reports = (1 << 30) - all.left;
-  for (int at = 0; at < reports; at += 1 + reports / 25) {
+  int cancelled = 0;
+  for (int at = 0; at < reports; at += 1 + reports / 15) {
     Canceller some{at};
-    EXPECT_EQ(ball_surface(torus, 2, 0, &Canceller::report, &some, VBM_ERROR_CANCELLED), "") << at;
+    const std::string got = ball_surface(torus, .1, 2, &Canceller::report, &some);
+    EXPECT_TRUE(got.empty() || got == whole) << at; // reports come by the clock: it may be done
     EXPECT_TRUE(some.only_caller);
+    cancelled += got.empty();
   }
-  EXPECT_TRUE(ball_surface(torus, 2, 0) == whole);
+  EXPECT_GT(cancelled, 2);
+  EXPECT_TRUE(ball_surface(torus, .1, 2) == whole);
 }
 
 TEST(Threads, BallSurfacesInContextsOfTheirOwn) {

@@ -16,10 +16,12 @@ constexpr std::size_t kKeptBytes = 16 << 20;
 /// From so many bytes on pages are to be large ones, where there are any.
 constexpr std::size_t kLargePages = 4 << 20;
 
+constexpr std::size_t kLeast = 128 << 10;
+
 /// Sizes of blocks: powers of two, and those half as large again, so that those that are kept fit
 /// others.
 std::size_t size_of(std::size_t bytes) {
-  std::size_t size = kLargeBytes;
+  std::size_t size = kLeast;
   while (size < bytes) {
     if (size > std::numeric_limits<std::size_t>::max() / 4) throw std::bad_alloc();
     if (size + size / 2 >= bytes) return size + size / 2;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Lists that are large, made anew by every call.
 //
-// Memory that is given back to the system and taken anew costs as much as a twentieth of a call: the
-// system clears every page, one at a time, when it is first written to. What becomes of freed
+// Memory that is given back to the system and taken anew costs as much as a twentieth of a call:
+// the system clears every page, one at a time, when it is first written to. What becomes of freed
 // memory is the C library's choice, and the host's; so blocks of these lists are kept for the next
 // call, kKeptBytes at most in all.
 #pragma once
@@ -20,8 +20,17 @@ void *take_block(std::size_t bytes);
 /// With the number it was taken for.
 void give_block(void *block, std::size_t bytes) noexcept;
 
-/// From so many bytes on memory is had in blocks.
+/// From so many bytes on memory is had in blocks; never where a sanitizer is to watch all of it.
+#if defined(__has_feature)
+#if __has_feature(address_sanitizer)
+#define VBM_NO_BLOCKS 1
+#endif
+#endif
+#if defined(VBM_NO_BLOCKS) || defined(__SANITIZE_ADDRESS__)
+inline constexpr std::size_t kLargeBytes = std::numeric_limits<std::size_t>::max();
+#else
 inline constexpr std::size_t kLargeBytes = 128 << 10;
+#endif
 
 template <class T> class LargeAllocator {
 public:

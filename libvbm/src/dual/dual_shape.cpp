@@ -46,7 +46,7 @@ private:
     LargeList<DualShape::Triangle> triangles;
     LargeList<DualShape::Edge> edges;
     LargeList<DualShape::Turn> turns; // and room for more
-    std::size_t count = 0;              // how many there are
+    std::size_t count = 0;            // how many there are
   };
 
   const Site &site(int32_t ball) const { return shape_.site[ball]; }

@@ -34,8 +34,8 @@ __attribute__((target("avx2"))) int power_side_wide(const Site &a, const Site &b
              r = __builtin_shufflevector(yr_ab, yr_cd, 2, 3, 6, 7);
   const Four square = x * x + y * y + z * z, weight = (p.r - r) * (p.r + r);
   const Four lift = square + weight;
-  const Four size = Four(Bits(x) & all_but_sign) + Four(Bits(y) & all_but_sign) +
-                    Four(Bits(z) & all_but_sign);
+  const Four size =
+      Four(Bits(x) & all_but_sign) + Four(Bits(y) & all_but_sign) + Four(Bits(z) & all_but_sign);
   const Four lift_size = square + Four(Bits(weight) & all_but_sign);
 
   // Minors of columns x and y, then of z and lift: of rows a and c, b and d; a and d, b and c; a
@@ -61,8 +61,8 @@ __attribute__((target("avx2"))) int power_side_wide(const Site &a, const Site &b
   const Two sum = ac_bd * bd_ac_lift - ab_cd * cd_ab_lift - ad_bc * bc_ad_lift;
   const double side = sum[0] + sum[1];
   const Four mixed = lift_size * __builtin_shufflevector(size, size, 1, 0, 3, 2);
-  const double all = (mixed[0] + mixed[1]) * (size[2] * size[3]) +
-                     (mixed[2] + mixed[3]) * (size[0] * size[1]);
+  const double all =
+      (mixed[0] + mixed[1]) * (size[2] * size[3]) + (mixed[2] + mixed[3]) * (size[0] * size[1]);
   const double error = kSignError * all;
   if (std::fabs(side) > error && std::fabs(side) > kTinyResult) return side > 0 ? 1 : -1;
   return power_side_precise(a, b, c, d, p);
