@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Speed of surfaces from balls, as ratios to CGAL's bare regular triangulation of the same balls in
-// the same process, the median of several rounds that take turns; and CGAL's own skin surface on
-// demand. Ratios are of the time one waits, and of processor time: calls use as many threads as
+// the same process, of singular-point surfaces the median of several rounds that take turns; and
+// CGAL's own skin surface on demand. Ratios are of the time one waits, and of processor time: calls use as many threads as
 // there are processors, unless told otherwise. It measures and passes no judgement: it always ends
 // with 0 unless it cannot run.
 //   vbm_bench_balls [--repeat N] [--threads N] [--skin] [MODEL.obj | BALLS.csv ...]

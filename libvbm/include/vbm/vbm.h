@@ -98,8 +98,8 @@ typedef int (*vbm_progress_fn)(void *user, double fraction, const char *stage);
 VBM_API void vbm_context_set_progress(vbm_context *context, vbm_progress_fn progress, void *user);
 
 /* Threads: calls with this context work with no more than `most` of them at once, the calling one
- * included; with 0 or less, as at first, with as many as the machine has processors. Those that are
- * started take no signals and have ended when the call returns. */
+ * included; with 0 or less, as at first, with as many as there are processors for the process. Those
+ * that are started take none of the host's signals and have ended when the call returns. */
 VBM_API void vbm_context_set_threads(vbm_context *context, int32_t most);
 
 /* ---- Building a ball model (thesis 3.1) ------------------------------------------------------ */

@@ -96,15 +96,15 @@ private:
         points += std::size_t(shape_.triangles[t].open[0] + shape_.triangles[t].open[1]);
       }
     }
-    point_.resize(2 * count);
+    point_.assign(2 * count, -1);
     out_.position.resize(points);
     out_.blur.resize(points);
     out_.code.resize(points);
     out_.bare.assign(balls, 0);
     in_parts(&Search::find_points);
     for (const Part &p : parts_) out_.offset_points += p.offset_points;
-    start_.resize(3 * points);
-    end_.resize(3 * points);
+    start_.assign(3 * points, -1);
+    end_.assign(3 * points, -1);
   }
 
   void find_points(std::size_t n, Progress &progress) {
@@ -186,6 +186,7 @@ private:
     out_.next.resize(2 * spans);
     in_parts(&Search::find_spans);
     for (std::size_t b = 0; b < out_.bare.size(); ++b) {
+      progress_.tick(2, 4);
       AngleSum corners;
       for (const Part &p : parts_) {
         out_.bare[b] += p.bare[b];

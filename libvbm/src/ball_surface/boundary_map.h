@@ -4,6 +4,7 @@
 // patch_complex.h, for those that are not merged away.
 #pragma once
 
+#include "core/large_list.h"
 #include "dual/dual_shape.h"
 
 #include <algorithm>

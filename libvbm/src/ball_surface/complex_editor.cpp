@@ -272,9 +272,11 @@ void ComplexEditor::split_double_arcs(Progress &progress) {
       return high != other.high ? high < other.high : dart < other.dart;
     }
   };
+  constexpr int kLongChain = 64;
   std::vector<int32_t> last(points.size(), -1); // by lower end
   LargeList<Arc> arcs;
   std::vector<Key> keys; // of arcs that are loops, or have the ends of one before
+  std::vector<Key> many; // of those whose chains are long: told by sorting
   arcs.reserve(complex.darts.size() / 2);
   for (std::size_t d = 0; d < complex.darts.size(); ++d) {
     progress.tick(d, complex.darts.size());
@@ -282,13 +284,32 @@ void ComplexEditor::split_double_arcs(Progress &progress) {
     const int32_t u = from(int32_t(d)), v = to(int32_t(d));
     const int32_t low = std::min(u, v), high = std::max(u, v);
     int32_t same = u == v ? 0 : last[low];
-    while (same >= 0 && u != v && arcs[same].high != high) same = arcs[same].next;
+    int steps = 0;
+    while (same >= 0 && u != v && arcs[same].high != high && ++steps < kLongChain)
+      same = arcs[same].next;
+    if (steps == kLongChain) {
+      many.push_back({low, high, int32_t(d)});
+      continue;
+    }
     if (same >= 0) {
       keys.push_back({low, high, int32_t(d)});
       continue;
     }
     arcs.push_back({high, last[low]});
     last[low] = int32_t(arcs.size()) - 1;
+  }
+  // Of two in long chains the first may be in the chain; those all came before the others.
+  if (!many.empty()) {
+    std::vector<uint8_t> is_long(points.size(), 0);
+    for (const Key &key : many) is_long[key.low] = 1;
+    for (std::size_t v = 0; v < last.size(); ++v)
+      for (int32_t a = is_long[v] ? last[v] : -1; a >= 0; a = arcs[a].next)
+        many.push_back({int32_t(v), arcs[a].high, -1});
+    progress.tick_slow(0, 1);
+    std::sort(many.begin(), many.end());
+    for (std::size_t k = 1; k < many.size(); ++k)
+      if (many[k].low == many[k - 1].low && many[k].high == many[k - 1].high)
+        keys.push_back(many[k]);
   }
   std::sort(keys.begin(), keys.end());
   const auto halve = [&](int32_t d) {

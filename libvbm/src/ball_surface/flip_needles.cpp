@@ -31,8 +31,10 @@ public:
 
   std::vector<uint8_t> run() {
     std::vector<int32_t> work;
-    for (std::size_t i = t_.size(); i-- > 0;)
+    for (std::size_t i = t_.size(); i-- > 0;) {
+      progress_.tick(0, 1);
       if (is_bad(int32_t(i))) work.push_back(int32_t(i));
+    }
     if (work.empty()) return std::move(moved_);
     list_sides();
     while (!work.empty()) {
@@ -76,40 +78,37 @@ private:
   int32_t from(int32_t h) const { return t_[h / 3][h % 3]; }
   static int32_t next(int32_t h) { return h % 3 == 2 ? h - 2 : h + 1; }
 
-  /// Chains of the sides that begin at each vertex: twins are looked up there, as few ever are.
+  /// Chains of the sides that begin at each vertex, as they are at first: twins are looked up
+  /// there, as few ever are, and kept.
   void list_sides() {
     first_.assign(position_.size(), -1);
     after_.resize(3 * t_.size());
-    for (std::size_t i = 0; i < t_.size(); ++i) {
-      progress_.tick(i, t_.size());
-      list(int32_t(i));
-    }
-  }
-
-  void list(int32_t i) {
-    for (int32_t h = 3 * i; h < 3 * i + 3; ++h) {
-      int32_t &first = first_[from(h)];
+    twin_.assign(3 * t_.size(), -1);
+    for (std::size_t h = 0; h < after_.size(); ++h) {
+      progress_.tick(h, after_.size());
+      int32_t &first = first_[from(int32_t(h))];
       after_[h] = first;
-      first = h;
+      first = int32_t(h);
     }
   }
 
-  void unlist(int32_t i) {
-    for (int32_t h = 3 * i; h < 3 * i + 3; ++h) {
-      int32_t *at = &first_[from(h)];
-      while (*at != h) at = &after_[*at];
-      *at = after_[h];
-    }
-  }
-
-  int32_t twin(int32_t h) const {
-    const int32_t u = from(h);
-    int32_t g = first_[from(next(h))];
-    while (g >= 0 && from(next(g)) != u) g = after_[g];
+  /// All twins of triangles that were flipped are known, so that what is looked for is where it was
+  /// listed; others in the chain may not be.
+  int32_t twin(int32_t h) {
+    if (twin_[h] >= 0) return twin_[h];
+    const int32_t u = from(h), v = from(next(h));
+    int32_t g = first_[v];
+    while (from(g) != v || from(next(g)) != u) g = after_[g];
+    link(h, g);
     return g;
   }
 
-  bool are_joined(int32_t h, int32_t v) const { // h begins at the other
+  void link(int32_t h, int32_t g) {
+    twin_[h] = g;
+    twin_[g] = h;
+  }
+
+  bool are_joined(int32_t h, int32_t v) { // h begins at the other
     int32_t at = h;
     do {
       if (from(next(at)) == v || from(next(next(at))) == v) return true;
@@ -156,12 +155,14 @@ private:
     }
     if (are_joined(h2, d)) return false;
     // i: c a d, j: d b c.
-    unlist(i);
-    unlist(j);
+    const int32_t ca = twin(h2), ad = twin(g1), db = twin(g2), bc = twin(h1);
     t_[i] = {c, a, d};
     t_[j] = {d, b, c};
-    list(i);
-    list(j);
+    link(3 * i, ca);
+    link(3 * i + 1, ad);
+    link(3 * j, db);
+    link(3 * j + 1, bc);
+    link(3 * i + 2, 3 * j + 2);
     moved_[i] = moved_[j] = 1;
     return true;
   }
@@ -175,6 +176,7 @@ private:
   std::vector<uint8_t> moved_;
   std::vector<int32_t> first_; // by vertex: a side 3 * triangle + corner, -1 for none
   std::vector<int32_t> after_; // by side: the next of its vertex
+  std::vector<int32_t> twin_;  // by side, -1 where nobody asked
 };
 
 } // namespace

@@ -5,6 +5,7 @@
 
 #include "ball_surface/boundary_map.h"
 #include "ball_surface/merged_points.h"
+#include "core/large_list.h"
 
 #include <cmath>
 #include <cstdint>

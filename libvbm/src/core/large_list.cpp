@@ -30,25 +30,34 @@ std::size_t size_of(std::size_t bytes) {
   return size;
 }
 
-/// Blocks that are kept, those that were given first before the others.
+/// Blocks that are kept, those that were given first before the others. Who cannot have the lock at
+/// once does without: so nobody waits, nor does a process that was forked while another thread had
+/// it.
 class Kept {
 public:
   /// One of that size, or null.
   void *take(std::size_t size) {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    for (std::size_t i = count_; i-- > 0;)
+    const std::unique_lock<std::mutex> lock(mutex_, std::try_to_lock);
+    for (std::size_t i = lock ? count_ : 0; i-- > 0;)
       if (block_[i].size == size) return remove(i);
     return nullptr;
   }
 
-  void put(void *at, std::size_t size) {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    while (count_ > 0 && (count_ == block_.size() || bytes_ + size > kKeptBytes)) {
-      const std::size_t first = block_[0].size;
-      munmap(remove(0), first);
-    }
+  /// False if it is not kept.
+  bool put(void *at, std::size_t size) {
+    const std::unique_lock<std::mutex> lock(mutex_, std::try_to_lock);
+    if (!lock || closed_) return false;
+    while (count_ > 0 && (count_ == block_.size() || bytes_ + size > kKeptBytes)) drop_first();
     block_[count_++] = {at, size};
     bytes_ += size;
+    return true;
+  }
+
+  /// Gives all back; none is kept any more if it is `last`.
+  void drop(bool last) {
+    const std::unique_lock<std::mutex> lock(mutex_, std::try_to_lock);
+    closed_ |= last;
+    while (lock && count_ > 0) drop_first();
   }
 
 private:
@@ -56,6 +65,11 @@ private:
     void *at;
     std::size_t size;
   };
+
+  void drop_first() {
+    const std::size_t size = block_[0].size;
+    munmap(remove(0), size);
+  }
 
   void *remove(std::size_t i) {
     void *const at = block_[i].at;
@@ -69,17 +83,32 @@ private:
   std::mutex mutex_;
   std::array<Block, 64> block_{};
   std::size_t count_ = 0, bytes_ = 0;
+  bool closed_ = false;
 };
 
-Kept kept; // nothing is done at the end of a program: lists may be freed after that
+Kept kept; // is never destroyed: lists may be freed after the end
+
+/// When the library is unloaded.
+struct AtEnd {
+  ~AtEnd() { kept.drop(true); }
+} at_end;
+
+void *map_block(std::size_t size) {
+  void *const at = mmap(nullptr, size, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+  return at == MAP_FAILED ? nullptr : at;
+}
 
 } // namespace
 
 void *take_block(std::size_t bytes) {
   const std::size_t size = size_of(bytes);
   if (void *const at = kept.take(size)) return at;
-  void *const at = mmap(nullptr, size, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
-  if (at == MAP_FAILED) throw std::bad_alloc();
+  void *at = map_block(size);
+  if (!at) { // what lies idle may be what is missing
+    kept.drop(false);
+    at = map_block(size);
+  }
+  if (!at) throw std::bad_alloc();
 #ifdef MADV_HUGEPAGE
   if (size >= kLargePages) madvise(at, size, MADV_HUGEPAGE);
 #endif
@@ -88,10 +117,7 @@ void *take_block(std::size_t bytes) {
 
 void give_block(void *block, std::size_t bytes) noexcept {
   const std::size_t size = size_of(bytes);
-  if (size <= kKeptBytes / 4)
-    kept.put(block, size);
-  else
-    munmap(block, size);
+  if (size > kKeptBytes / 4 || !kept.put(block, size)) munmap(block, size);
 }
 
 } // namespace vbm::impl

@@ -20,7 +20,8 @@ void *take_block(std::size_t bytes);
 /// With the number it was taken for.
 void give_block(void *block, std::size_t bytes) noexcept;
 
-/// From so many bytes on memory is had in blocks; never where a sanitizer is to watch all of it.
+/// From so many bytes on memory is had in blocks; never where a sanitizer is to watch all of it,
+/// which must then hold for all files that share a list.
 #if defined(__has_feature)
 #if __has_feature(address_sanitizer)
 #define VBM_NO_BLOCKS 1

@@ -25,6 +25,9 @@ public:
   NoSignals() {
     sigset_t all;
     sigfillset(&all);
+    // What a thread does to itself is the host's to see whichever thread it is.
+    for (int own : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGTRAP, SIGSYS, SIGABRT})
+      sigdelset(&all, own);
     pthread_sigmask(SIG_SETMASK, &all, &saved_);
   }
   ~NoSignals() { pthread_sigmask(SIG_SETMASK, &saved_, nullptr); }
@@ -88,9 +91,14 @@ private:
 
   /// Until all others have ended, with a look at the caller's wish to cancel now and then.
   void wait(Progress &progress) {
+    while (!have_ended())
+      if (!stop_) progress.tick_slow(0, 1);
+  }
+
+  /// Waits a while for that.
+  bool have_ended() {
     std::unique_lock<std::mutex> lock(mutex_);
-    while (!ended_.wait_for(lock, std::chrono::milliseconds(20), [this] { return at_work_ == 0; }))
-      if (!stop_) progress.tick_slow(1, 1);
+    return ended_.wait_for(lock, std::chrono::milliseconds(20), [this] { return at_work_ == 0; });
   }
 
   const std::function<void(int, Progress &)> &work_;
@@ -102,10 +110,6 @@ private:
   std::condition_variable ended_;
   int at_work_ = 0; // others
 };
-
-} // namespace
-
-namespace {
 
 /// Those that this process may run on: the host may have been given some of the machine's only.
 int processors() {

@@ -252,7 +252,7 @@ private:
   DualShape &shape_;
   Progress &progress_;
   std::vector<Part> parts_;
-  LargeList<uint32_t> turn_; // by cell and facet: 4 * triangle + 2 * side
+  LargeList<uint32_t> turn_; // by cell and facet: as a Turn, kNoTriangle where there is none
 };
 
 } // namespace
