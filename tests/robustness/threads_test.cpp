@@ -76,7 +76,7 @@ std::string ball_surface(const shapes::Shape &shape, double radius, int32_t thre
 }
 
 TEST(Threads, AnyNumberGivesTheSame) {
-  const shapes::Shape torus = shapes::torus(90, 40, 2, .6, .03);
+  const shapes::Shape torus = shapes::torus(60, 30, 2, .6, .03);
   for (double radius : {.1, .4}) {
     const std::string one = ball_surface(torus, radius, 1);
     EXPECT_FALSE(one.empty());
@@ -86,8 +86,8 @@ TEST(Threads, AnyNumberGivesTheSame) {
 }
 
 TEST(Threads, ManyAtOnceAreIndependent) {
-  const shapes::Shape torus = shapes::torus(90, 40, 2, .6, .03),
-                      other = shapes::torus(50, 60, 2, .9, .02);
+  const shapes::Shape torus = shapes::torus(60, 30, 2, .6, .03),
+                      other = shapes::torus(40, 40, 2, .9, .02);
   const std::string first = ball_surface(torus, .1, 1), second = ball_surface(other, .1, 1);
   std::vector<std::function<void()>> bodies;
   for (int i = 0; i < 4; ++i)
@@ -112,20 +112,20 @@ struct Canceller {
 };
 
 TEST(Threads, CancelledWhereverTheyAre) {
-  const shapes::Shape torus = shapes::torus(110, 50, 2, .6, .03);
+  const shapes::Shape torus = shapes::torus(90, 40, 2, .6, .03);
   Canceller all{1 << 30};
   const std::string whole = ball_surface(torus, .1, 2, &Canceller::report, &all);
   EXPECT_TRUE(all.only_caller);
   const int reports = (1 << 30) - all.left;
   int cancelled = 0;
-  for (int at = 0; at < reports; at += 1 + reports / 15) {
+  for (int at = 0; at < reports; at += 1 + reports / 8) {
     Canceller some{at};
     const std::string got = ball_surface(torus, .1, 2, &Canceller::report, &some);
     EXPECT_TRUE(got.empty() || got == whole) << at; // reports come by the clock: it may be done
     EXPECT_TRUE(some.only_caller);
     cancelled += got.empty();
   }
-  EXPECT_GT(cancelled, 2);
+  EXPECT_GT(cancelled, 0);
   EXPECT_TRUE(ball_surface(torus, .1, 2) == whole);
 }
 
