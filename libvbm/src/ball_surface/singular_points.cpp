@@ -15,16 +15,15 @@
 #include "ball_surface/replace_needles.h"
 #include "ball_surface/turn_outwards.h"
 #include "core/error.h"
-#include "core/hash.h"
 #include "core/progress.h"
 #include "dual/orthospheres.h"
 #include "sampling/checks.h"
+#include "sampling/point_table.h"
 #include "surface/measure.h"
 #include "surface/triangulate.h"
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 
 namespace vbm::impl {
 namespace {
@@ -158,32 +157,13 @@ void split_polygons(PatchMesh &mesh, const DualShape &shape, Triangles &triangle
   mesh.ball = std::move(split.ball);
 }
 
-/// Of a place; 0 is 0 whatever its sign.
-uint64_t hash_of(const Vec3 &p) {
-  uint64_t hash = 0;
-  for (double x : {p.x + 0.0, p.y + 0.0, p.z + 0.0}) {
-    uint64_t bits;
-    std::memcpy(&bits, &x, sizeof bits);
-    hash = hash_index(hash ^ bits);
-  }
-  return hash;
-}
-
 /// Counts vertices that stand where another stands.
 uint64_t count_doubles(const std::vector<Vec3> &position, Progress &progress) {
-  // Open addressing, in a table that is at most half full.
-  std::size_t size = 16;
-  while (size < 2 * position.size()) size *= 2;
-  std::vector<int32_t> table(size, -1);
+  PointTable table(position.size());
   uint64_t doubles = 0;
   for (std::size_t v = 0; v < position.size(); ++v) {
     progress.tick(v, position.size());
-    std::size_t at = hash_of(position[v]) & (size - 1);
-    while (table[at] >= 0 && !(position[table[at]] == position[v])) at = (at + 1) & (size - 1);
-    if (table[at] >= 0)
-      ++doubles;
-    else
-      table[at] = int32_t(v);
+    doubles += table.find_or_add(position, position[v], int32_t(v)) != int32_t(v);
   }
   return doubles;
 }
