@@ -63,9 +63,16 @@ TEST(RunParts, CancelledWhileOthersWork) {
     }
   } caller;
   Progress progress(&Caller::ask, &caller);
+  std::atomic<bool> begun{false};
   EXPECT_THROW(run_parts(2, progress,
-                         [](int part, Progress &own) {
-                           if (part == 1) work_on(own);
+                         [&](int part, Progress &own) {
+                           if (part == 1) {
+                             begun = true;
+                             work_on(own);
+                           }
+                           // Another is to have that part, if there is one: it may start late.
+                           for (int i = 0; i < 1000 && !begun; ++i)
+                             std::this_thread::sleep_for(std::chrono::milliseconds(1));
                          }),
                Error);
   EXPECT_GT(caller.asked, 2);
