@@ -12,6 +12,7 @@ import re
 import shutil
 import subprocess
 import sys
+import tempfile
 import time
 
 import numpy as np
@@ -36,16 +37,19 @@ def wait(condition, what, seconds=60):
 
 
 class Screen:
-    """A screen nobody sees, with a window manager."""
+    """A screen nobody sees, with a window manager, for programs that find no settings and leave none."""
 
     def __init__(self, stack):
         read, write = os.pipe()
-        self.start(stack, ["Xvfb", "-displayfd", str(write), "-screen", "0", f"{WIDTH}x{HEIGHT}x24", "+extension", "GLX"],
-                   pass_fds=[write])
+        # Without -noreset the end of the only client, as of an early xdotool, throws out whoever connects just then.
+        self.start(stack, ["Xvfb", "-noreset", "-displayfd", str(write), "-screen", "0", f"{WIDTH}x{HEIGHT}x24",
+                           "+extension", "GLX"], pass_fds=[write])
         os.close(write)
         with os.fdopen(read) as display:
-            self.environment = dict(os.environ, DISPLAY=":" + display.readline().strip(), LIBGL_ALWAYS_SOFTWARE="1")
+            self.environment = dict(os.environ, DISPLAY=":" + display.readline().strip(), LIBGL_ALWAYS_SOFTWARE="1",
+                                    XDG_CONFIG_HOME=stack.enter_context(tempfile.TemporaryDirectory()))
         self.start(stack, ["openbox"])
+        wait(lambda: self.try_to("get_num_desktops").stdout, "the window manager") # without one nothing gets the keys
 
     def start(self, stack, command, **options):
         process = subprocess.Popen(command, env=getattr(self, "environment", None), stderr=subprocess.STDOUT,
@@ -57,12 +61,21 @@ class Screen:
         stack.callback(stop)
         return process
 
+    def try_to(self, *arguments):
+        return subprocess.run(["xdotool", *map(str, arguments)], env=self.environment, capture_output=True, text=True,
+                              timeout=60)
+
     def do(self, *arguments):
-        done = subprocess.run(["xdotool", *map(str, arguments)], env=self.environment, capture_output=True, text=True)
+        done = self.try_to(*arguments)
+        # A search that finds nothing says so by its status only.
+        assert done.returncode == 0 or arguments[0] == "search", f"xdotool {arguments}: {done.stderr}"
         return done.stdout.split()
 
+    def windows(self, name):
+        return self.do("search", "--onlyvisible", "--name", name)
+
     def window(self, name, seconds=60):
-        return wait(lambda: self.do("search", "--onlyvisible", "--name", name), f"the window {name}", seconds)[-1]
+        return wait(lambda: self.windows(name), f"the window {name}", seconds)[-1]
 
     def geometry(self, window):
         said = self.do("getwindowgeometry", "--shell", window)
@@ -90,7 +103,7 @@ class Window:
 
     def opened(self):
         # Debian's MeshLab may lack a library for a plugin of its own, and says so before all else.
-        for box in self.screen.do("search", "--onlyvisible", "--name", "Error while loading plugins"):
+        for box in self.screen.windows("Error while loading plugins"):
             self.screen.do("windowactivate", "--sync", box, "key", "Return")
         return "All files opened" in self.said()
 
@@ -98,30 +111,43 @@ class Window:
         assert self.process.poll() is None, f"MeshLab ended with {self.process.returncode}: {self.log.read_text()}"
         return self.log.read_text(errors="replace")
 
+    def search_box(self):
+        """The height of the box that Ctrl+F opens, which grows with what it finds; nothing if it is not open."""
+        new = set(self.screen.windows(".*")) - self.known
+        return max((self.screen.geometry(window)[3] for window in new), default=0)
+
+    def type_name(self, filter_name):
+        """Into the search box. False if the box does not open or finds nothing in good time."""
+        self.screen.do("windowactivate", "--sync", self.main, "windowfocus", "--sync", self.main)
+        self.known = set(self.screen.windows(".*"))
+        try:
+            self.screen.do("key", "--delay", 50, "ctrl+f")
+            wait(self.search_box, "the search box", 15)
+            self.screen.do("type", "--delay", 40, filter_name)
+            time.sleep(1.5) # it searches at every letter, and shows at first what it found the last time
+            wait(lambda: self.search_box() > 40, "what the search box finds", 15) # 25 without
+            return True
+        except AssertionError:
+            return False
+
     def open_dialog(self, filter_name, group="Voronoi Balls: "):
         """By the search box: Ctrl+F, the name, the first of what it finds. None if that has no dialog in this MeshLab
         and was applied."""
-        title = f"^{group}{filter_name}$"
-        for _ in range(3): # on a busy machine the box can miss a key
-            self.screen.do("windowactivate", self.main, "windowfocus", self.main)
-            time.sleep(0.5)
-            self.screen.do("key", "--delay", 50, "ctrl+f")
-            time.sleep(1)
-            self.screen.do("type", "--delay", 40, filter_name)
-            time.sleep(1.5)
-            self.screen.do("key", "Down")
-            time.sleep(0.5)
-            self.screen.do("key", "Return")
-            with contextlib.suppress(AssertionError):
-                applied = f"Applied filter:? {group}{filter_name}"
-                found = wait(lambda: self.screen.do("search", "--onlyvisible", "--name", title)
-                             or re.search(applied, self.said()), f"the window {title}", 8)
-                if not isinstance(found, list):
-                    return None
-                dialog = found[-1]
-                self.screen.do("windowmove", "--sync", dialog, 0, 0) # out of the view's middle
-                return dialog
+        title, applied = f"^{group}{filter_name}$", f"Applied filter:? {group}{filter_name}"
+        for _ in range(4): # on a busy machine the box can miss a key
+            if self.type_name(filter_name):
+                self.screen.do("key", "Down")
+                time.sleep(0.5)
+                self.screen.do("key", "Return")
+                with contextlib.suppress(AssertionError):
+                    found = wait(lambda: self.screen.windows(title) or re.search(applied, self.said()), title, 15)
+                    if not isinstance(found, list):
+                        return None
+                    dialog = found[-1]
+                    self.screen.do("windowmove", "--sync", dialog, 0, 0) # out of the view's middle
+                    return dialog
             self.screen.do("key", "Escape")
+            time.sleep(1)
         raise AssertionError(f"no dialog {filter_name}")
 
     def press_apply(self, dialog, filter_name, group="Voronoi Balls: "):
