@@ -9,6 +9,9 @@ from . import ball_nodes, compat, creation, options
 
 #: Real spheres beyond so many vertices would fill the memory: instances are shown instead.
 _MOST_VERTICES = 6_000_000
+#: So many are made again at once when a slider is drawn: the spheres are as fine as this allows, if nothing else is
+#: asked for.
+_QUICK_VERTICES = 250_000
 #: Vertices of an icosphere by subdivisions.
 _SPHERE_VERTICES = (0, 12, 42, 162, 642, 2562)
 
@@ -35,7 +38,7 @@ def draw_display(layout, owner):
 
 def automatic_detail(count):
     """The finest spheres, up to 642 vertices each, that the vertex budget allows."""
-    fits = [detail for detail in (4, 3, 2) if count * _SPHERE_VERTICES[detail] <= _MOST_VERTICES / 3]
+    fits = [detail for detail in (4, 3, 2) if count * _SPHERE_VERTICES[detail] <= _QUICK_VERTICES]
     return fits[0] if fits else 1
 
 

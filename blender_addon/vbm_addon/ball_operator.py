@@ -57,11 +57,12 @@ class BallOperator(JobOperator):
                                               progress=progress, **request.arguments))
 
 
-def place(context, obj, new, balls, source_display):
-    """Put a new object where its balls are, and treat what they came from as asked."""
+def place(context, obj, new, balls, source_display, stands_for_source=True):
+    """Put a new object where its balls are, and treat what they came from as asked. Balls stand for the shape that
+    they were made of, if it is known."""
     if balls.origin is not None:
         creation.place_like(new, balls.origin)
-        if source.SOURCE_KEY in balls.origin:
+        if stands_for_source and source.SOURCE_KEY in balls.origin:
             new[source.SOURCE_KEY] = balls.origin[source.SOURCE_KEY]
     sources = ball_source.selected(context)
     creation.show_results(context, [new], obj, "KEEP")

@@ -10,9 +10,13 @@ import numpy as np
 from . import compat
 from .source import SourceError
 
-#: How much the vertices of a sphere may differ in their distance from its centre, as a part of the radius:
-#: less than an ellipsoid that looks like one, more than rounding.
-_ROUND = 0.01
+#: How much the vertices of a sphere may differ in their distance from its centre, as a part of the radius: less
+#: than an ellipsoid that looks like one, more than a subdivided sphere's.
+_ROUND = 0.03
+#: How near its faces' planes may come to the centre: an icosahedron is a sphere, a cube or a cylinder is none.
+_BULGING = 0.75
+#: How much of the directions from the centre its faces must fill.
+_CLOSED = 0.98
 #: And how much an object's scale may differ from axis to axis.
 _EVEN = 1e-3
 
@@ -65,17 +69,23 @@ def read(context, world=False):
         raise SourceError("Select balls: a ball object, metaballs, spheres, or empties drawn as spheres")
     notes = []
     if not world and len(objects) == 1 and (objects[0].type == "META" or is_ball_object(objects[0])):
-        centers, radii = _local(objects[0], notes)
-        return _checked(Balls(objects[0].name, centers, radii, objects[0], notes))
-    parts = [_world(obj, notes) for obj in objects]
-    return _checked(Balls(objects[0].name, np.concatenate([part[0] for part in parts]),
-                          np.concatenate([part[1] for part in parts]), None, notes))
-
-
-def _checked(balls):
+        parts, origin = [_finite(objects[0], *_local(objects[0], notes))], objects[0]
+    else:
+        parts, origin = [_finite(obj, *_world(obj, notes)) for obj in objects], None
+    balls = Balls(objects[0].name, np.concatenate([part[0] for part in parts]),
+                  np.concatenate([part[1] for part in parts]), origin, notes)
     if len(balls.radii) == 0:
-        raise SourceError(f"{balls.name} has no balls")
+        raise SourceError(". ".join([f"{balls.name} has no balls", *notes]))
     return balls
+
+
+def _finite(obj, centers, radii):
+    """Of several objects' balls, which object's one is no ball."""
+    bad = np.flatnonzero(~np.isfinite(np.c_[centers, radii]).all(axis=1))
+    if len(bad):
+        which = f"ball {bad[0]} of {obj.name}" if len(radii) > 1 else obj.name
+        raise SourceError(f"The place or size of {which} is not finite")
+    return centers, radii
 
 
 def _local(obj, notes):
@@ -105,8 +115,8 @@ def _metaballs(obj, notes):
              if element.type == "BALL" and not element.use_negative]
     left = len(obj.data.elements) - len(found)
     if left:
-        notes.append(f"{left} element{'s' if left != 1 else ''} of {obj.name} that are no balls, or take "
-                     "away, were left out")
+        notes.append(f"1 element of {obj.name} that is no ball, or takes away, was left out" if left == 1 else
+                     f"{left} elements of {obj.name} that are no balls, or take away, were left out")
     return (np.array([tuple(element.co) for element in found], dtype=np.float64).reshape(-1, 3),
             np.array([element.radius for element in found], dtype=np.float64))
 
@@ -135,6 +145,9 @@ def _sphere(obj, matrix):
     mesh = evaluated.to_mesh()
     try:
         points = compat.read_positions(mesh).astype(np.float64) @ matrix[:3, :3].T + matrix[:3, 3]
+        mesh.calc_loop_triangles()
+        triangles = np.empty(3 * len(mesh.loop_triangles), dtype=np.int32)
+        mesh.loop_triangles.foreach_get("vertices", triangles)
     finally:
         evaluated.to_mesh_clear()
     if len(points) >= 4:
@@ -146,8 +159,24 @@ def _sphere(obj, matrix):
             center = center + answer[:3]
         distance = np.linalg.norm(points - center, axis=1)
         radius = distance.mean()
-        spread = np.ptp(points, axis=0)
-        if radius > 0 and np.ptp(distance) <= _ROUND * radius and spread.min() > radius:
+        if radius > 0 and np.ptp(distance) <= _ROUND * radius and _is_round(
+                (points[triangles.reshape(-1, 3)] - center) / radius):
             return center[None], np.array([distance.max()])
-    raise SourceError(f"{obj.name} is no sphere, and has no attribute radius that would make balls of "
+    scale = np.abs(obj.matrix_world.to_scale())
+    why = ", being scaled differently along its axes," if np.ptp(scale) > _EVEN * scale.max() else ""
+    raise SourceError(f"{obj.name}{why} is no sphere, and has no attribute radius that would make balls of "
                       "its vertices")
+
+
+def _is_round(corners):
+    """Whether triangles with their corners on a sphere of radius 1 round the origin are a sphere: they surround the
+    origin (solid angles: van Oosterom and Strackee 1983), none nearer than _BULGING."""
+    a, b, c = corners[:, 0], corners[:, 1], corners[:, 2]
+    normal = np.cross(b - a, c - a)
+    size = np.linalg.norm(normal, axis=1)
+    height = np.abs(np.einsum("ij,ij->i", a, normal))
+    volume = np.abs(np.einsum("ij,ij->i", a, np.cross(b, c)))
+    angle = 2 * np.arctan2(volume, 1 + np.einsum("ij,ij->i", a, b) + np.einsum("ij,ij->i", b, c)
+                           + np.einsum("ij,ij->i", c, a))
+    real = size > 1e-9
+    return (height >= _BULGING * size)[real].all() and abs(angle.sum() / (4 * np.pi) - 1) <= 1 - _CLOSED

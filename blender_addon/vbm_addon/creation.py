@@ -104,11 +104,16 @@ def show_results(context, objects, origin, source_display):
 
 
 def _collection_of(obj, layer):
-    """A collection that has `obj` and is switched on in the view layer."""
-    if not layer.exclude and layer.collection.objects.get(obj.name) == obj:
+    """A collection that has `obj`, is switched on in the view layer and is no library's; the scene's own if there is
+    none."""
+    return _found(obj, layer) or layer.collection
+
+
+def _found(obj, layer):
+    if not layer.exclude and layer.collection.library is None and layer.collection.objects.get(obj.name) == obj:
         return layer.collection
     for child in layer.children:
-        found = _collection_of(obj, child)
+        found = _found(obj, child)
         if found is not None:
             return found
     return None

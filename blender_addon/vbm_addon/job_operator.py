@@ -80,8 +80,9 @@ class JobOperator:
         wm.progress_begin(0, 100)
         try:
             obj, request = self._prepare(context)
+            known = self.is_quick(request)
             result = self.work(request, lambda fraction, stage: wm.progress_update(100 * fraction))
-            self._conclude(context, obj, request, result, time.perf_counter() - began)
+            self._conclude(context, obj, request, result, time.perf_counter() - began, known)
         except Exception as error:  # reported in words; nothing was changed
             return self._fail(context, error, request)
         finally:
@@ -161,11 +162,12 @@ class JobOperator:
         self._job = session.job = None
         _redraw(context)
 
-    def _conclude(self, context, obj, request, result, seconds):
+    def _conclude(self, context, obj, request, result, seconds, known=False):
         outcome = self.finish(context, obj, request, result)
         outcome.object_name = obj.name
         outcome.notes = [_sentence(note) for note in outcome.notes]
-        outcome.lines.append(f"{seconds:.1f} s" if seconds >= 0.05 else "At once, from the last balls")
+        outcome.lines.append(f"{seconds:.1f} s" if seconds >= 0.05 else
+                             "At once, from the last balls" if known else f"{seconds:.2f} s")
         session.set_outcome(outcome)
         self.report({"WARNING" if outcome.notes else "INFO"},
                     ". ".join([outcome.title] + outcome.notes))

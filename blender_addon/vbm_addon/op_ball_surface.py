@@ -4,7 +4,7 @@
 import bpy
 from bpy.props import BoolProperty
 
-from . import creation, op_balls, options, session, surface_object
+from . import creation, op_balls, options, session, surface_object, text
 from .ball_operator import BallOperator, place
 
 _NAMES = tuple(row["name"] for row in options.table("surface_from_balls"))
@@ -40,7 +40,7 @@ drawn as spheres"""
             mesh = surface_object.new_mesh(made, f"{balls.name} Union", obj, surface, choices)
             new = bpy.data.objects.new(mesh.name, mesh)
             made.append((bpy.data.objects, new))
-            place(context, obj, new, balls, self.source_display)
+            place(context, obj, new, balls, self.source_display, stands_for_source=False)
         report = surface.report
         creation.describe(new, report, surface.notes)
         details = [f"Area {report.area:.4g}, volume {report.volume:.4g}"]
@@ -51,7 +51,8 @@ drawn as spheres"""
                         f"on average {report.union_error_mean:.3g}"]
         pieces = "" if report.components == 1 else f", {report.components:,} pieces"
         return session.Outcome(
-            f"{new.name}: {len(mesh.polygons):,} faces for {len(balls.radii):,} balls, genus "
+            f"{new.name}: {text.counted(len(mesh.polygons), 'face')} for "
+            f"{text.counted(len(balls.radii), 'ball')}, genus "
             f"{report.genus}{pieces}", details, list(surface.notes) + balls.notes)
 
     def draw(self, context):
@@ -60,9 +61,14 @@ drawn as spheres"""
         draw_own(layout, self)
 
 
+#: Options that mean nothing to some styles.
+_ONLY_OF = {"bridge": ("SINGULAR_POINTS", "POWER_CRUST"), "shrink": ("SKIN",), "narrow": ("SINGULAR_POINTS",)}
+
+
 def draw_own(layout, owner):
     for name in _NAMES + ("faces", "smooth", "source_display"):
-        options.draw_property(layout, owner, name)
+        if owner.style in _ONLY_OF.get(name, (owner.style,)):
+            options.draw_property(layout, owner, name)
 
 
 def register():

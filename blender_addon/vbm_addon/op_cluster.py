@@ -2,9 +2,9 @@
 """Operator: fewer balls, each for a cluster of those there were (thesis 4.4.1)."""
 
 import bpy
-from bpy.props import EnumProperty
+from bpy.props import EnumProperty, IntProperty
 
-from . import ball_object, creation, op_balls, options, session
+from . import ball_object, creation, op_balls, options, session, text
 from .ball_operator import BallOperator, place
 
 _NAMES = tuple(row["name"] for row in options.table("cluster"))
@@ -30,13 +30,17 @@ class VBM_OT_cluster_balls(BallOperator, ClusterOptions, ball_object.DisplayOpti
         items=[("SPHERICITY", "Sphericity", "How well a ball has to stand for those it replaces"),
                ("COUNT", "Number of Balls", "A number of balls: the best so many")])
     source_display: op_balls.SOURCE_DISPLAY
+    #: How many there are now: where a number begins that was not chosen.
+    made: IntProperty(options={"HIDDEN", "SKIP_SAVE"})
 
     def arguments(self):
         given = options.arguments_of(self, _NAMES)
         if self.by == "SPHERICITY":
             given["count"] = 0
         else:
-            given["count"] = max(given["count"], 1)
+            if self.count < 1:
+                self.count = self.made or 100
+            given["count"] = self.count
         return given
 
     def finish(self, context, obj, request, clusters):
@@ -48,9 +52,8 @@ class VBM_OT_cluster_balls(BallOperator, ClusterOptions, ball_object.DisplayOpti
             place(context, obj, new, balls, self.source_display)
         creation.describe(new, clusters.report, clusters.notes)
         op_balls.color_viewport(context)
-        count = len(clusters.radii)
-        return session.Outcome(f"{new.name}: {count:,} ball{'s' if count != 1 else ''} for "
-                               f"{len(balls.radii):,}", [], list(clusters.notes) + balls.notes)
+        self.made = len(clusters.radii)
+        return session.Outcome(f"{new.name}: {text.counted(self.made, 'ball')} for {len(balls.radii):,}", [], list(clusters.notes) + balls.notes)
 
     def draw(self, context):
         layout = self.layout
@@ -62,7 +65,7 @@ def draw_own(layout, owner):
     options.draw_property(layout, owner, "by")
     for name in _NAMES:
         if name != ("count" if owner.by == "SPHERICITY" else "sphericity"):
-            options.draw_property(layout, owner, name)
+            options.draw_property(layout, owner, name, slider=name == "sphericity")
     layout.separator()
     ball_object.draw_display(layout, owner)
     options.draw_property(layout, owner, "source_display")

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """File operators: balls in and out, under File > Import and Export."""
 
+import os
 from pathlib import Path
 
 import bpy
@@ -8,7 +9,7 @@ import numpy as np
 from bpy.props import BoolProperty, CollectionProperty, EnumProperty, StringProperty
 from bpy_extras.io_utils import ExportHelper, ImportHelper
 
-from . import axis_object, ball_object, ball_source, creation, library, op_balls, session
+from . import axis_object, ball_object, ball_source, creation, library, op_balls, session, text
 from .recipe import is_axis
 
 _READ = "*.ply;*.csv;*.ma"
@@ -37,22 +38,23 @@ class VBM_OT_import_balls(bpy.types.Operator, ImportHelper, ball_object.DisplayO
         return False
 
     def execute(self, context):
-        paths = [Path(self.directory) / entry.name for entry in self.files if entry.name]
-        failed, made = [], []
-        for path in paths or [Path(self.filepath)]:
+        names = [os.fsdecode(entry.name) for entry in self.files if entry.name]
+        paths = [_path(self.directory) / name for name in names] or [_path(self.filepath)]
+        failed, made, notes = [], [], []
+        for path in paths:
             try:
-                made.append(_load(context, path, self))
+                made.append(_load(context, path, self, notes))
             except (library.vbm.Error, OSError, MemoryError) as error:
                 failed.append(_said(path, error))
         if made:
             creation.select_alone(context, made[-1])
             op_balls.color_viewport(context)
-            counts = ", ".join(f"{obj.name}: {len(obj.data.vertices):,} balls" for obj in made)
-            session.set_outcome(session.Outcome(counts, [], failed))
-        if failed:
-            if not made:
-                session.set_outcome(session.Outcome("Importing balls failed", failed, failed=True))
-            self.report({"WARNING" if made else "ERROR"}, ". ".join(failed))
+            counts = ", ".join(f"{obj.name}: {text.counted(len(obj.data.vertices), 'ball')}" for obj in made)
+            session.set_outcome(session.Outcome(counts, [], failed + notes))
+        if not made:
+            session.set_outcome(session.Outcome("Importing balls failed", failed, failed=True))
+        if failed or notes:
+            self.report({"WARNING" if made else "ERROR"}, ". ".join(failed + notes))
         else:
             self.report({"INFO"}, session.last.title)
         return {"FINISHED"} if made else {"CANCELLED"}
@@ -62,17 +64,47 @@ class VBM_OT_import_balls(bpy.types.Operator, ImportHelper, ball_object.DisplayO
         ball_object.draw_display(self.layout, self)
 
 
-def _load(context, path, display):
-    balls = library.vbm.read_balls(str(path))
+def _path(name):
+    """Of a property: one that is no UTF-8 is given in bytes; // is the folder of the .blend file."""
+    return Path(bpy.path.abspath(os.fsdecode(name)))
+
+
+def _name(path):
+    """As it can be shown."""
+    return os.fsencode(path.name).decode("utf-8", "replace")
+
+
+def _load(context, path, display, notes):
+    balls = library.vbm.read_balls(path)
     if not len(balls.radii):
-        raise OSError(f"{path.name} holds no balls")
+        raise OSError(f"{_name(path)} holds no balls")
+    too_large = np.flatnonzero((np.abs(np.c_[balls.centers, balls.radii]) > np.finfo(np.float32).max).any(axis=1))
+    if len(too_large):
+        raise OSError(f"{_name(path)}: ball {too_large[0]} is beyond the numbers that Blender's meshes can hold")
+    triangles, edges = _simple(balls.triangles), _simple(balls.edges)
+    dropped = len(balls.triangles) + len(balls.edges) - len(triangles) - len(edges)
+    if dropped:
+        notes.append(f"{_name(path)}: faces and edges that name a ball twice, or were there already, are left out: "
+                     f"{dropped:,}")
+    collection = context.collection
+    if collection.library is not None:
+        collection = context.scene.collection
     with creation.undone_on_failure() as made:
-        obj = ball_object.make(made, path.stem, balls.centers, balls.radii, display,
-                               balls.triangles, balls.edges)
+        obj = ball_object.make(made, Path(_name(path)).stem, balls.centers, balls.radii, display,
+                               triangles, edges)
         for name, values in balls.attributes.items():
             creation.add_attribute(obj.data, name, "INT", values)
-        context.collection.objects.link(obj)
+        collection.objects.link(obj)
     return obj
+
+
+def _simple(faces):
+    """Triangles or edges without those that a mesh cannot have: that name a ball twice, or are there already."""
+    faces = np.asarray(faces)
+    ordered = np.sort(faces, axis=1)
+    once = np.zeros(len(faces), dtype=bool)
+    once[np.unique(ordered, axis=0, return_index=True)[1]] = True
+    return faces[once & (np.diff(ordered, axis=1) > 0).all(axis=1)]
 
 
 class VBM_OT_export_balls(bpy.types.Operator, ExportHelper):
@@ -114,20 +146,30 @@ with the balls as collision shapes"""
         return ExportHelper.check(self, context)
 
     def execute(self, context):
+        path = _path(self.filepath)
+        if path.suffix.lower() not in _WRITTEN:
+            path = path.with_name(path.name + self.filename_ext)
+        kind = path.suffix.lower()
         try:
             balls = ball_source.read(context, world=self.world)
-            with_faces = Path(self.filepath).suffix.lower() in (".ply", ".ma")
-            library.vbm.write_balls(self.filepath, balls.centers, balls.radii,
-                                    **(_complex_of(context) if with_faces else {}))
+            size = _meters(context) if kind == ".urdf" else 1.0
+            library.vbm.write_balls(path, size * balls.centers, size * balls.radii,
+                                    **(_complex_of(context) if kind in (".ply", ".ma") else {}))
         except (ball_source.SourceError, library.vbm.Error, OSError, MemoryError) as error:
-            text = _said(Path(self.filepath), error)
-            session.set_outcome(session.Outcome("Exporting balls failed", [text], failed=True))
-            self.report({"ERROR"}, text)
+            why = _said(path, error)
+            session.set_outcome(session.Outcome("Exporting balls failed", [why], failed=True))
+            self.report({"ERROR"}, why)
             return {"CANCELLED"}
-        done = f"{Path(self.filepath).name}: {len(balls.radii):,} balls"
+        done = f"{_name(path)}: {text.counted(len(balls.radii), 'ball')}" + (", in metres" if kind == ".urdf" else "")
         session.set_outcome(session.Outcome(done, [], balls.notes))
-        self.report({"INFO"}, done)
+        self.report({"WARNING" if balls.notes else "INFO"}, ". ".join([done] + balls.notes))
         return {"FINISHED"}
+
+
+def _meters(context):
+    """How long one of Blender's units is: lengths in URDF are metres."""
+    units = context.scene.unit_settings
+    return 1.0 if units.system == "NONE" else units.scale_length
 
 
 def _complex_of(context):
@@ -154,8 +196,8 @@ def _complex_of(context):
 
 def _said(path, error):
     """In words; the library's errors name the line or byte."""
-    text = error.strerror if isinstance(error, OSError) and error.strerror else str(error)
-    return text if path.name in text else f"{path.name}: {text}"
+    why = error.strerror if isinstance(error, OSError) and error.strerror else str(error)
+    return why if _name(path) in why else f"{_name(path)}: {why}"
 
 
 def _import_menu(self, context):

@@ -8,6 +8,7 @@ from, so that three buttons pressed one after the other work on one and the same
 """
 
 import bpy
+import numpy as np
 from bpy.props import BoolProperty, EnumProperty, FloatProperty, IntProperty, StringProperty
 
 from .library import vbm
@@ -53,9 +54,15 @@ def properties_of(operation, flags):
 
 def arguments_of(owner, names):
     """The library's keyword arguments that `owner`'s properties of these names stand for."""
-    values = {name: getattr(owner, name) for name in names}
-    return {name: value.lower() if isinstance(value, str) else value
-            for name, value in values.items()}
+    return {name: _as_meant(getattr(owner, name)) for name in names}
+
+
+def _as_meant(value):
+    """Identifiers in the library's small letters; the number that the field shows, 0.01, not the float that is
+    nearest to it and may be out of range."""
+    if isinstance(value, float):
+        return float(str(np.float32(value)))
+    return value.lower() if isinstance(value, str) else value
 
 
 BUILD_NAMES = tuple(row["name"] for row in table("build"))
@@ -117,11 +124,11 @@ def keep_shared(operator, context):
         setattr(context.window_manager.vbm, name, getattr(operator, name))
 
 
-def draw_property(layout, owner, name):
+def draw_property(layout, owner, name, slider=False):
     """A property; where labels have no column of their own, a menu or text gets half the width."""
     kind = getattr(owner, "properties", owner).bl_rna.properties[name]
     if layout.use_property_split or kind.type not in {"ENUM", "STRING"}:
-        layout.prop(owner, name)
+        layout.prop(owner, name, slider=slider)
         return
     halves = layout.split(factor=0.5, align=True)
     halves.label(text=kind.name)

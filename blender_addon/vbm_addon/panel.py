@@ -18,7 +18,7 @@ class _Tab:
     bl_category = "VBM"
 
 
-def _last(context, identifier):
+def last(context, identifier):
     """The choices the operator will start from: those of its last run."""
     return context.window_manager.operator_properties_last(identifier)
 
@@ -121,7 +121,7 @@ class VBM_PT_legend(_Tab, bpy.types.Panel):
             layout.prop(space.shading, "color_type", text="Show")
 
 
-class _Options(_Tab):
+class Options(_Tab):
     bl_parent_id = "VBM_PT_main"
     bl_options = {"DEFAULT_CLOSED"}
 
@@ -137,7 +137,7 @@ class _Options(_Tab):
         return self.layout
 
 
-class VBM_PT_build(_Options, bpy.types.Panel):
+class VBM_PT_build(Options, bpy.types.Panel):
     bl_label = "Samples and Balls"
 
     def draw(self, context):
@@ -146,7 +146,7 @@ class VBM_PT_build(_Options, bpy.types.Panel):
         options.draw_build(layout, shared, rare=False)
 
 
-class VBM_PT_limits(_Options, bpy.types.Panel):
+class VBM_PT_limits(Options, bpy.types.Panel):
     bl_label = "Limits"
     bl_parent_id = "VBM_PT_build"
 
@@ -154,26 +154,26 @@ class VBM_PT_limits(_Options, bpy.types.Panel):
         options.draw_build(self.prepare(context), context.window_manager.vbm, rare=True)
 
 
-class VBM_PT_balls(_Options, bpy.types.Panel):
+class VBM_PT_balls(Options, bpy.types.Panel):
     bl_label = "Balls"
 
     def draw(self, context):
-        op_balls.draw_own(self.prepare(context), _last(context, "vbm.build_balls"))
+        op_balls.draw_own(self.prepare(context), last(context, "vbm.build_balls"))
 
 
-class VBM_PT_surface(_Options, bpy.types.Panel):
+class VBM_PT_surface(Options, bpy.types.Panel):
     bl_label = "Surface"
 
     def draw(self, context):
-        op_surface.draw_own(self.prepare(context), _last(context, "vbm.rebuild_surface"))
+        op_surface.draw_own(self.prepare(context), last(context, "vbm.rebuild_surface"))
 
 
-class VBM_PT_thickness(_Options, bpy.types.Panel):
+class VBM_PT_thickness(Options, bpy.types.Panel):
     bl_label = "Thickness"
 
     def draw(self, context):
         layout = self.prepare(context)
-        op_thickness.draw_own(layout, _last(context, "vbm.measure_thickness"))
+        op_thickness.draw_own(layout, last(context, "vbm.measure_thickness"))
         layout.operator("vbm.select_undersampled", icon="RESTRICT_SELECT_OFF")
 
 

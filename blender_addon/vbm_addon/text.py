@@ -19,6 +19,11 @@ def wrap(context, text, margin=0):
     return textwrap.wrap(text, max(int(width / letter), 12)) or [""]
 
 
+def counted(count, what):
+    """"1 ball", "1,234 balls"."""
+    return f"{count:,} {what}{'s' if count != 1 else ''}"
+
+
 def draw(layout, context, text, icon="NONE"):
     """A sentence over as many lines as it needs, the icon before the first."""
     column = layout.column(align=True)

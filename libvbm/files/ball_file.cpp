@@ -83,6 +83,7 @@ BallFile read_balls(const std::filesystem::path &path) {
     const auto check_head = [&](std::string_view head, uint64_t size) {
       if (extension == ".ply") check_ply_head(head, size);
       if (extension == ".ma") check_ma_head(head, size);
+      if (extension == ".csv") check_csv_head(head, size);
     };
     return parse_balls(read_bytes(path, check_head), extension);
   } catch (const BadFile &error) {

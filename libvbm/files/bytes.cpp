@@ -8,7 +8,12 @@
 #include <cstdio>
 #include <cstring>
 #include <memory>
+#include <optional>
 #include <system_error>
+
+#ifndef _WIN32
+#include <unistd.h>
+#endif
 
 namespace vbm::files {
 namespace {
@@ -17,6 +22,21 @@ namespace fs = std::filesystem;
 
 /// Names tried for the file that is written first: others' may be left from a crash.
 constexpr int kNames = 100;
+
+/// The mode of a file that may be replaced; nothing where there is none.
+std::optional<fs::perms> replaceable(const fs::path &path, const fs::path &given) {
+  std::error_code failed;
+  const fs::file_status status = fs::status(path, failed);
+  if (!fs::exists(status)) return {};
+  if (fs::is_directory(status)) throw NoFile(EISDIR, given);
+  if (!fs::is_regular_file(status))
+    throw BadFile(given.filename().u8string() +
+                  ": a device, pipe or socket is not replaced by a file");
+#ifndef _WIN32
+  if (access(path.c_str(), W_OK) != 0) throw NoFile(errno ? errno : EACCES, given);
+#endif
+  return status.permissions();
+}
 
 std::FILE *open(const fs::path &path, const char *mode) {
   errno = 0;
@@ -64,7 +84,7 @@ void write_bytes(const fs::path &given, const std::string &bytes) {
   std::error_code failed;
   // What a link points to is replaced, not the link.
   const fs::path path = fs::is_symlink(given, failed) ? fs::weakly_canonical(given) : given;
-  if (fs::is_directory(path, failed)) throw NoFile(EISDIR, given);
+  const std::optional<fs::perms> mode = replaceable(path, given);
   // A short name of its own: the target's with an addition might be too long.
   fs::path beside;
   File file;
@@ -79,6 +99,7 @@ void write_bytes(const fs::path &given, const std::string &bytes) {
   good = std::fflush(file.get()) == 0 && good;
   int code = errno;
   if (std::fclose(file.release()) != 0 && good) good = false, code = errno;
+  if (good && mode) fs::permissions(beside, *mode, failed); // as it was, if this may be
   if (good) {
     fs::rename(beside, path, failed);
     good = !failed;

@@ -19,6 +19,11 @@ std::string_view trimmed(std::string_view word) {
   const auto blank = [](char c) { return c == ' ' || c == '\t'; };
   while (!word.empty() && blank(word.front())) word.remove_prefix(1);
   while (!word.empty() && blank(word.back())) word.remove_suffix(1);
+  return word;
+}
+
+std::string_view unquoted(std::string_view word) {
+  word = trimmed(word);
   if (word.size() >= 2 && word.front() == '"' && word.back() == '"')
     word = word.substr(1, word.size() - 2);
   return word;
@@ -28,7 +33,7 @@ void split(std::string_view line, char separator, Words &fields) {
   fields.clear();
   for (std::size_t begin = 0;;) {
     const std::size_t end = line.find(separator, begin);
-    fields.push_back(trimmed(line.substr(begin, end == line.npos ? end : end - begin)));
+    fields.push_back(unquoted(line.substr(begin, end == line.npos ? end : end - begin)));
     if (end == line.npos) return;
     begin = end + 1;
   }
@@ -53,10 +58,12 @@ bool is_header(const Words &fields) {
   });
 }
 
-} // namespace
+std::string columns(std::size_t count) {
+  return count == 1 ? "there is 1 column" : "there are " + std::to_string(count) + " columns";
+}
 
-BallFile read_csv(const std::string &bytes) {
-  BallFile balls;
+/// False if there is not one line to take.
+bool read_lines(std::string_view bytes, BallFile &balls) {
   std::array<std::size_t, 4> at = {0, 1, 2, 3};
   std::vector<std::pair<std::string, std::size_t>> extra; // attributes and their columns
   std::size_t width = 0;
@@ -72,9 +79,7 @@ BallFile read_csv(const std::string &bytes) {
     split(line, separator, fields);
     if (first) {
       width = fields.size();
-      if (width < 4)
-        bad_line(n, "there are " + std::to_string(width) + (width == 1 ? " column" : " columns") +
-                        ", but x, y, z and radius are four");
+      if (width < 4) bad_line(n, columns(width) + ", but x, y, z and radius are four");
       if (is_header(fields)) {
         at = {column(fields, {"x", "center_x", "cx"}), column(fields, {"y", "center_y", "cy"}),
               column(fields, {"z", "center_z", "cz"}), column(fields, {"radius", "r"})};
@@ -91,8 +96,7 @@ BallFile read_csv(const std::string &bytes) {
       }
     }
     if (fields.size() != width)
-      bad_line(n, "there are " + std::to_string(fields.size()) +
-                      " columns where the first line has " + std::to_string(width));
+      bad_line(n, columns(fields.size()) + " where the first line has " + std::to_string(width));
     for (int i = 0; i < 3; ++i)
       balls.centers.push_back(finite_number(fields[at[std::size_t(i)]], n, "a coordinate"));
     balls.radii.push_back(radius_number(fields[at[3]], n));
@@ -103,7 +107,25 @@ BallFile read_csv(const std::string &bytes) {
       balls.attributes[name].push_back(int32_t(value));
     }
   }
-  if (!separator) bad_line(1, "the file is empty");
+  return separator != 0;
+}
+
+} // namespace
+
+void check_csv_head(std::string_view head, uint64_t total) {
+  if (head.size() >= total) return; // all of it is here, and read next
+  const std::size_t end = head.find_last_of("\r\n");
+  if (end == head.npos) {
+    if (head.front() == '#') return;
+    bad_line(1, "it is longer than " + std::to_string(head.size()) + " bytes");
+  }
+  BallFile begun;
+  read_lines(head.substr(0, end), begun);
+}
+
+BallFile read_csv(const std::string &bytes) {
+  BallFile balls;
+  if (!read_lines(bytes, balls)) bad_line(1, "the file is empty");
   return balls;
 }
 

@@ -10,10 +10,11 @@
 
 namespace vbm::files {
 
-/// Throw BadFile if the beginning of a file of `total` bytes already shows that it is none of these: before the
-/// rest is read.
+/// Throw BadFile if the beginning of a file of `total` bytes already shows that it is none of
+/// these: before the rest is read.
 void check_ply_head(std::string_view head, uint64_t total);
 void check_ma_head(std::string_view head, uint64_t total);
+void check_csv_head(std::string_view head, uint64_t total);
 
 BallFile read_ply(const std::string &bytes);
 BallFile read_csv(const std::string &bytes);

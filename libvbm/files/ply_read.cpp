@@ -158,8 +158,7 @@ void read_vertices(Numbers &numbers, const PlyElement &element, BallFile &balls)
     read_row(numbers, element, kNone, values, list);
     for (int k = 0; k < 4; ++k) {
       const double value = values[std::size_t(at[k])];
-      if (!std::isfinite(value))
-        numbers.fail(std::string("has a ") + names[k] + " that is not finite");
+      if (!std::isfinite(value)) numbers.fail(std::string("has no finite ") + names[k]);
       if (k < 3) balls.centers.push_back(value);
     }
     if (values[std::size_t(at[3])] < 0) numbers.fail("has a negative radius");

@@ -13,6 +13,14 @@ std::string number(double value) {
   return std::string(buffer, end.ptr);
 }
 
+double as_written(float value) {
+  char text[32];
+  const auto end = std::to_chars(text, text + sizeof text, value).ptr;
+  double result = value;
+  std::from_chars(text, end, result);
+  return result;
+}
+
 std::string count(std::uint64_t value) {
   char buffer[32];
   const auto end = std::to_chars(buffer, buffer + sizeof buffer, value);

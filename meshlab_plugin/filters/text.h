@@ -8,7 +8,11 @@
 
 namespace vbm_filters {
 
-std::string number(double value);       // "0.0125", six digits; "nan", "inf"
+std::string number(double value); // "0.0125", six digits; "nan", "inf"
+// The number that a person would write for a float: 0.1, not 0.10000000149011612. It is read back
+// as the same float.
+double as_written(float value);
+inline double as_written(double value) { return value; }
 std::string count(std::uint64_t value); // "34834"
 // "1 vertex", "3 vertices"
 std::string count(std::uint64_t value, const char *one, const char *many);

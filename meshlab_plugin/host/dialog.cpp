@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "dialog.h"
 
+#include "../filters/text.h"
+
 #include <cmath>
 
 #if VBM_MESHLAB_PERCENTAGE
@@ -78,10 +80,10 @@ Values values(const std::vector<Param> &params, const RichParameterList &given) 
       values.set(param.name, given.getInt(name));
       break;
     case Kind::Float:
-      values.set(param.name, double(given.getFloat(name)));
+      values.set(param.name, vbm_filters::as_written(given.getFloat(name)));
       break;
     case Kind::Length:
-      values.set(param.name, double(given.getAbsPerc(name)));
+      values.set(param.name, vbm_filters::as_written(given.getAbsPerc(name)));
       break;
     case Kind::Enum:
       values.set(param.name, given.getEnum(name));

@@ -9,9 +9,11 @@
 #include <QFile>
 
 #include <algorithm>
-#include <charconv>
+#include <cmath>
+#include <cstddef>
 #include <filesystem>
 #include <iterator>
+#include <limits>
 
 namespace vbm_meshlab {
 
@@ -21,21 +23,23 @@ namespace {
 
 std::filesystem::path path_of(const QString &path) { return QFile::encodeName(path).toStdString(); }
 
-// The number that a person would write for a layer's float: 0.1, not 0.10000000149011612. It is
-// read back as the same float.
-double plain(double value) {
-  char text[32];
-  const auto end = std::to_chars(text, text + sizeof text, static_cast<float>(value)).ptr;
-  double result = value;
-  std::from_chars(text, end, result);
-  return result;
-}
-
 std::vector<double> plain(const std::vector<double> &values) {
   std::vector<double> result;
   result.reserve(values.size());
-  for (double value : values) result.push_back(plain(value));
+  for (double value : values) result.push_back(vbm_filters::as_written(static_cast<float>(value)));
   return result;
+}
+
+// A layer's numbers are smaller ones than a file's.
+void check_range(const vbm::files::BallFile &file) {
+  const auto beyond = [](double value) {
+    return std::abs(value) > double(std::numeric_limits<Scalarm>::max());
+  };
+  for (std::size_t i = 0; i < file.radii.size(); ++i)
+    if (beyond(file.radii[i]) ||
+        std::any_of(&file.centers[3 * i], &file.centers[3 * i] + 3, beyond))
+      throw Failure("Ball " + std::to_string(i) +
+                    " of this file is beyond the numbers that MeshLab's layers can hold.");
 }
 
 using Edge = std::pair<std::int32_t, std::int32_t>; // the lower index first
@@ -90,6 +94,7 @@ const std::vector<BallFormat> &ball_formats() {
 BallsRead read_balls(const QString &path, MeshModel &layer) {
   return guarded([&] {
     vbm::files::BallFile file = vbm::files::read_balls(path_of(path));
+    check_range(file);
     vbm_filters::NewLayer balls;
     balls.points = std::move(file.centers);
     balls.radius = std::move(file.radii);

@@ -44,10 +44,10 @@ def mushroom(p):
 
 
 def heart(p):
-    """Taubin's sextic."""
+    """Taubin's sextic. Cubes as products: the last digits of numpy's powers depend on where its arrays lie."""
     x, y, z = (p * 1.25).T
     q = x * x + 2.25 * y * y + z * z - 1
-    return q**3 - (x * x + 0.1125 * y * y) * z**3
+    return q * q * q - (x * x + 0.1125 * y * y) * z * z * z
 
 
 def two_holes(p):

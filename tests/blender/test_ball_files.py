@@ -1,11 +1,14 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Balls in and out of files, through Blender's operators."""
 
+import os
+import types
+
 import bpy
 import numpy as np
 import pytest
 from helpers import active, box, positions, snapshot, torus, values
-from vbm_addon import library, session
+from vbm_addon import library, op_files, session
 
 
 def ball_object():
@@ -60,7 +63,44 @@ def test_collision_spheres(tmp_path):
     assert path.read_text().count("<sphere") == len(balls.data.vertices)
 
 
-@pytest.mark.parametrize("text, message", [("1,2,3,0.5\n1,2,x,1\n", "line 2"), (None, "No such file")])
+def test_collision_spheres_are_in_metres(tmp_path):
+    bpy.ops.mesh.primitive_uv_sphere_add(radius=2.0, location=(3, 0, 0))
+    bpy.context.scene.unit_settings.scale_length = 0.001
+    path = tmp_path / "robot.urdf"
+    bpy.ops.vbm.export_balls(filepath=str(path))
+    assert 'radius="0.002' in path.read_text() and 'xyz="0.003' in path.read_text()
+    assert session.last.title == "robot.urdf: 1 ball, in metres"
+    bpy.ops.vbm.export_balls(filepath=str(path.with_suffix(".csv")))
+    assert library.vbm.read_balls(path.with_suffix(".csv")).radii[0] == pytest.approx(2, rel=1e-6)
+
+
+def test_names_of_files(tmp_path):
+    """Relative to the .blend file, without an extension, or of bytes that are no text."""
+    bpy.ops.wm.save_as_mainfile(filepath=str(tmp_path / "scene.blend"))
+    bpy.ops.mesh.primitive_uv_sphere_add()
+    bpy.ops.vbm.export_balls(filepath="//robot", filename_ext=".urdf")
+    bpy.ops.vbm.export_balls(filepath="//balls", filename_ext=".csv")
+    assert (tmp_path / "robot.urdf").exists()
+    assert bpy.ops.vbm.import_balls(filepath="//balls.csv") == {"FINISHED"}
+    odd = os.fsencode(tmp_path) + b"/lat\xefn.csv"  # which the file window gives as such, and no script can
+    os.rename(tmp_path / "balls.csv", odd)
+    display = types.SimpleNamespace(scale=1.0, detail=0, solid_colors=True)
+    made = op_files._load(bpy.context, op_files._path(odd), display, [])
+    assert made.name == "lat\ufffdn" and len(made.data.vertices) == 1
+
+
+def test_faces_that_no_mesh_can_have(tmp_path):
+    (tmp_path / "m.ma").write_text("4 3 4\nv 0 0 0 1\nv 1 0 0 1\nv 0 1 0 1\nv 0 0 1 1\ne 2 3\ne 3 2\ne 1 1\n"
+                                   "f 0 1 1\nf 0 1 2\nf 2 0 1\nf 1 2 3\n")
+    bpy.ops.vbm.import_balls(filepath=str(tmp_path / "m.ma"))
+    mesh = active().data
+    assert [list(face.vertices) for face in mesh.polygons] == [[0, 1, 2], [1, 2, 3]] and not mesh.validate()
+    assert any("are left out: 4" in note for note in session.last.notes)
+
+
+@pytest.mark.parametrize("text, message", [("1,2,3,0.5\n1,2,x,1\n", "line 2"), (None, "No such file"),
+                                           ("0,0,0,1\n1e300,0,0,1\n", "ball 1 is beyond"),
+                                           ("0,0,0,1e39\n", "ball 0 is beyond")])
 def test_bad_file_says_where(tmp_path, text, message):
     path = tmp_path / "bad.csv"
     if text is not None:

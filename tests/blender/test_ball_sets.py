@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Operators that start from balls: their sources, clustering, and the surface of their union."""
 
+import bmesh
 import bpy
 import numpy as np
 import pytest
@@ -25,6 +26,18 @@ def empty(place, size, scale=(1, 1, 1)):
     return obj
 
 
+def half_sphere(closed):
+    bpy.ops.mesh.primitive_uv_sphere_add()
+    shape = bmesh.new()
+    shape.from_mesh(active().data)
+    bmesh.ops.delete(shape, geom=[vertex for vertex in shape.verts if vertex.co.z < -0.01], context="VERTS")
+    if closed:
+        bmesh.ops.holes_fill(shape, edges=shape.edges[:])
+    shape.to_mesh(active().data)
+    shape.free()
+    return active()
+
+
 def ball_object():
     torus()
     bpy.ops.vbm.build_balls()
@@ -46,16 +59,56 @@ def test_empties_and_spheres_in_the_world():
     assert balls.origin is None
 
 
+@pytest.mark.parametrize("make", [
+    lambda: icosphere(subdivisions=1),
+    lambda: bpy.ops.mesh.primitive_uv_sphere_add(segments=10, ring_count=6),
+    lambda: bpy.ops.mesh.primitive_uv_sphere_add() and active().modifiers.new("Finer", "SUBSURF"),
+    lambda: bpy.ops.mesh.primitive_uv_sphere_add() and bpy.ops.object.modifier_add(type="EDGE_SPLIT")])
+def test_coarse_and_fine_spheres(make):
+    make()
+    for modifier in active().modifiers:
+        if modifier.type == "SUBSURF":
+            modifier.levels = 2
+        else:
+            modifier.split_angle = 0  # every face alone
+    select(active())
+    balls = ball_source.read(bpy.context)
+    np.testing.assert_allclose(balls.centers, [(0, 0, 0)], atol=1e-3)
+    np.testing.assert_allclose(balls.radii, [1.0], rtol=0.02)
+
+
+def test_which_of_several_is_not_finite():
+    good, bad = empty((0, 0, 0), 1.0), empty((float("nan"), 0, 0), 1.0)
+    select(good, bad)
+    with pytest.raises(RuntimeError, match=f"place or size of {bad.name} is not finite"):
+        bpy.ops.vbm.ball_surface()
+    assert active() == good
+
+
+def test_what_has_no_balls_says_why():
+    bpy.ops.object.metaball_add(type="CUBE")
+    select(active())
+    with pytest.raises(RuntimeError, match="Mball has no balls. 1 element of Mball that is no ball"):
+        bpy.ops.vbm.ball_surface()
+
+
 @pytest.mark.parametrize("make, message", [
     (lambda: box(1, 1, 1, cuts=3), "is no sphere"),
     (lambda: empty((0, 0, 0), 1.0, (1, 2, 1)), "scaled differently"),
-    (lambda: setattr(icosphere(), "scale", (1, 1, 0.9)), "is no sphere"),
+    (lambda: setattr(icosphere(), "scale", (1, 1, 0.9)), "scaled differently along its axes, is no sphere"),
+    # Their corners lie on spheres.
+    (bpy.ops.mesh.primitive_cube_add, "is no sphere"),
+    (bpy.ops.mesh.primitive_cylinder_add, "is no sphere"),
+    (bpy.ops.mesh.primitive_cone_add, "is no sphere"),
+    (lambda: half_sphere(False), "is no sphere"),
+    (lambda: half_sphere(True), "is no sphere"),
     (lambda: activate(bpy.data.objects["Bare"]), "is no sphere")])
 def test_what_is_no_ball_is_named(make, message):
     mesh = bpy.data.meshes.new("Bare")
     mesh.from_pydata([(0, 0, 0), (1, 0, 0), (0, 1, 0), (1, 1, 0.001)], [], [])
     bpy.context.collection.objects.link(bpy.data.objects.new("Bare", mesh))
-    obj = make() or active()
+    made = make()
+    obj = made if isinstance(made, bpy.types.Object) else active()
     select(obj)
     before = snapshot()
     with pytest.raises(RuntimeError, match=message):
@@ -110,7 +163,7 @@ def test_surface_of_a_ball_model():
     new = active()
     assert topology(new.data) == (1, 1)
     assert max(len(face.vertices) for face in new.data.polygons) > 3
-    assert balls.hide_get() and new["vbm_source"] == source
+    assert balls.hide_get() and source and "vbm_source" not in new  # a shape of its own
 
 
 @pytest.mark.parametrize("style", next(
@@ -138,7 +191,7 @@ def test_skin_bridges_by_its_shrink_factor():
 def test_cluster_is_the_librarys():
     balls = ball_object()
     centers, radii = ball_source.of_ball_object(balls)
-    expected = library.vbm.cluster(centers, radii, sphericity=np.float32(0.8).item())
+    expected = library.vbm.cluster(centers, radii, sphericity=0.8)
     select(balls)
     assert bpy.ops.vbm.cluster_balls(sphericity=0.8) == {"FINISHED"}
     new = active()
@@ -156,6 +209,49 @@ def test_cluster_to_a_number_and_the_redo_panel():
     select(activate(balls))
     bpy.ops.vbm.cluster_balls(by="COUNT", count=20)
     assert len(active().data.vertices) == 20
+
+
+def test_a_number_that_was_not_chosen():
+    """Begins as the one there is, and not as 0."""
+    select(ball_object())
+    bpy.ops.vbm.cluster_balls(by="COUNT", made=77)
+    assert len(active().data.vertices) == 77
+
+
+@pytest.mark.parametrize("sphericity", [0.01, 1.0])
+def test_ends_of_the_cluster_slider(sphericity):
+    select(empty((0, 0, 0), 1.0), empty((1.2, 0, 0), 1.0))
+    assert bpy.ops.vbm.cluster_balls(sphericity=sphericity) == {"FINISHED"}
+
+
+@pytest.mark.parametrize("name, value", [("shrink", 0.99), ("shrink", 0.05), ("bulge", 0.001), ("bulge", 1.0)])
+def test_ends_of_the_surface_sliders(name, value):
+    select(empty((0, 0, 0), 1.0))
+    style = "SKIN" if name == "shrink" else "SINGULAR_POINTS"
+    assert bpy.ops.vbm.ball_surface(style=style, **{name: value}) == {"FINISHED"}
+
+
+def test_linked_collections(tmp_path):
+    """Nothing can be put into a library's collection: results stand in the scene's own."""
+    source = bpy.data.collections.new("Theirs")
+    ball = empty((0, 0, 0), 1.0)
+    source.objects.link(ball)
+    path = str(tmp_path / "library.blend")
+    bpy.data.libraries.write(path, {source})
+    bpy.data.objects.remove(ball)
+    bpy.data.collections.remove(source)
+    with bpy.data.libraries.load(path, link=True) as (_, wanted):
+        wanted.collections = ["Theirs"]
+    linked = wanted.collections[0]
+    bpy.context.scene.collection.children.link(linked)
+    select(linked.objects[0])
+    assert bpy.ops.vbm.ball_surface() == {"FINISHED"}
+    assert active().name in bpy.context.scene.collection.objects
+    layer = bpy.context.view_layer
+    layer.active_layer_collection = layer.layer_collection.children[linked.name]
+    (tmp_path / "b.csv").write_text("0,0,0,1\n")
+    assert bpy.ops.vbm.import_balls(filepath=str(tmp_path / "b.csv")) == {"FINISHED"}
+    assert active().name in bpy.context.scene.collection.objects
 
 
 def test_undo():

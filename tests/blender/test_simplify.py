@@ -33,7 +33,7 @@ def test_axis_is_the_librarys():
     assert whole(source, spacing=SPACING) == {"FINISHED"}
     points = positions(source.data).astype(np.float64)
     expected = library.vbm.build(points, faces=[list(face.vertices) for face in source.data.polygons],
-                                 spacing=np.float32(SPACING).item()).medial_axis()
+                                 spacing=SPACING).medial_axis()
     axis = axis_of(source)
     assert active() == axis
     mesh = axis.data
@@ -99,7 +99,7 @@ def test_scheme_prunes_as_the_library_does():
                                threshold=1.0, rounds=1, threshold_2=3.0, rounds_2=2)
     points = positions(source.data).astype(np.float64)
     axis = library.vbm.build(points, faces=[list(face.vertices) for face in source.data.polygons],
-                             spacing=np.float32(SPACING).item()).medial_axis()
+                             spacing=SPACING).medial_axis()
     axis.prune(triangles=7, iterations=3)
     axis.prune(volume=0.01)
     axis.prune(volume=0.03, iterations=2)

@@ -80,6 +80,12 @@ TEST(BallSurface, HasStyles) {
     expect_closed(*document.mm(), 1);
     EXPECT_EQ(result.logged("square root of the shrink factor"), style == 1);
   }
+  // The dialog's floats at both ends are in the range.
+  for (const double shrink : {0.05, 0.99}) {
+    balls(document, ring(12));
+    const auto end = host::apply(host::kBallSurface, document, {{"shrink", shrink}});
+    EXPECT_TRUE(end.ok) << end.error;
+  }
   balls(document, ring(12));
   const auto result = host::apply(host::kBallSurface, document, {{"style", 1}, {"shrink", 1}});
   EXPECT_FALSE(result.ok);
@@ -116,6 +122,10 @@ TEST(Cluster, PutsOneBallInTheirPlace) {
   ASSERT_TRUE(result.ok) << result.error;
   ASSERT_EQ(document.mm()->cm.VN(), 1);
   EXPECT_NEAR(document.mm()->cm.vert[0].cR(), 4.5, 1e-5);
+
+  document.setCurrentMesh(0);
+  result = host::apply(host::kCluster, document, {{"sphericity", 0.01}}); // the range's end
+  EXPECT_TRUE(result.ok) << result.error;
 }
 
 TEST(BallMeasures, AreThoseOfTwoBalls) {

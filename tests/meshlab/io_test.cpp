@@ -134,6 +134,12 @@ TEST(BallFiles, SayWhatIsWrong) {
   EXPECT_NE(error.find("line 2"), std::string::npos) << error;
   EXPECT_NE(error.find("bad.csv"), std::string::npos) << error;
   EXPECT_EQ(layer->cm.VN(), 0);
+  if (sizeof(Scalarm) == 4) {
+    write(bad, "0,0,0,1\n1e300,0,0,1\n");
+    const std::string beyond = open(bad, *layer, mask);
+    EXPECT_NE(beyond.find("Ball 1"), std::string::npos) << beyond;
+    EXPECT_EQ(layer->cm.VN(), 0);
+  }
   // Without radii there are no balls to save, and no half of a file.
   vcg::tri::Allocator<CMeshO>::AddVertices(layer->cm, 3);
   const QString name = folder.filePath("out.csv");

@@ -126,6 +126,8 @@ def test_text_files_of_others(tmp_path, end, bom):
         assert balls.triangles.tolist() == [[0, 1, 1]]
     balls = read("a.csv", "# made by hand\n\n0,1,2,.5\n 3 , 4 , 5 , 6 \n")
     assert balls.centers.tolist() == [[0, 1, 2], [3, 4, 5]] and balls.radii.tolist() == [0.5, 6]
+    balls = read("q.csv", '"x","y","z","radius"\n"1","2","3","4"\n')
+    assert balls.centers.tolist() == [[1, 2, 3]] and balls.radii.tolist() == [4]
     balls = read("b.csv", 'Level;"R";X;Y;Z;name\n2;1;3;4;5;me\n')
     assert balls.centers.tolist() == [[3, 4, 5]] and balls.attributes["level"].tolist() == [2]
     balls = read("a.ma", "# a comment\n2 1 1\nv 0 0 0 1 # here too\nv 1 0 0 2 17\n\te 0 1\nf 0 1 0 3\n")
@@ -194,7 +196,7 @@ def test_bad_files(tmp_path, name):
 
 @pytest.mark.parametrize("name, head", [
     ("a.ply", PLY.format(10**12)), ("b.ply", PLY.format(1).replace("radius", "size")), ("c.ply", "solid cube\n"),
-    ("d.ma", "1000000000000 0 0\n")])
+    ("d.ma", "1000000000000 0 0\n"), ("e.csv", "x,y,z,size\n"), ("f.csv", "0,0,0,1\n\n0,0,1\n"), ("g.csv", "")])
 def test_bad_headers_of_huge_files_are_told_at_once(tmp_path, name, head):
     """A file of 8 TB, without any blocks on the disk: reading it is out of the question."""
     with open(tmp_path / name, "wb") as file:
@@ -277,6 +279,41 @@ def test_a_link_stays_a_link(tmp_path):
     link.symlink_to(target)
     vbm.write_balls(link, CENTERS, RADII)
     assert link.is_symlink() and same(vbm.read_balls(target).centers, CENTERS)
+
+
+def test_modes_are_kept_and_heeded(tmp_path):
+    path = tmp_path / "b.csv"
+    path.write_text("mine")
+    path.chmod(0o600)
+    vbm.write_balls(path, CENTERS, RADII)
+    assert path.stat().st_mode & 0o777 == 0o600 and len(vbm.read_balls(path).radii) == 4
+    path.write_text("mine")
+    path.chmod(0o444)
+    tmp_path.chmod(0o777)
+    child = os.fork()
+    if child == 0: # as a user who is not root
+        code = 1
+        try:
+            os.chdir(tmp_path)
+            if os.geteuid() == 0:
+                os.setresgid(65534, 65534, 65534)
+                os.setresuid(65534, 65534, 65534)
+            vbm.write_balls("b.csv", CENTERS, RADII)
+        except PermissionError:
+            code = 0
+        finally:
+            os._exit(code)
+    assert os.waitstatus_to_exitcode(os.waitpid(child, 0)[1]) == 0
+    assert path.read_text() == "mine" and os.listdir(tmp_path) == ["b.csv"]
+
+
+def test_what_is_no_file_is_not_replaced(tmp_path):
+    os.mkfifo(tmp_path / "b.csv")
+    (tmp_path / "c.csv").symlink_to(tmp_path / "b.csv")
+    for name in ("b.csv", "c.csv"):
+        with pytest.raises(vbm.InputError, match=f"{name}: a device, pipe or socket"):
+            vbm.write_balls(tmp_path / name, CENTERS, RADII)
+    assert (tmp_path / "b.csv").is_fifo() and sorted(os.listdir(tmp_path)) == ["b.csv", "c.csv"]
 
 
 def test_decimal_commas_of_the_locale(tmp_path):

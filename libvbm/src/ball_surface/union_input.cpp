@@ -12,9 +12,12 @@ namespace vbm::impl {
 
 void check_any(const UnionInput &set) {
   if (set.balls.empty())
-    throw Error(VBM_ERROR_NO_INTERIOR,
-                set.points ? "all balls have a radius of 0: there is nothing to make a surface of"
-                           : "there are no balls to make a surface of");
+    throw Error(
+        VBM_ERROR_NO_INTERIOR,
+        set.points
+            ? "all balls have a radius of 0, or next to 0 beside the extent of all: there is "
+              "nothing to make a surface of"
+            : "there are no balls to make a surface of");
 }
 
 std::string note_on_points(const UnionInput &set) {
