@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "progress.h"
 
+#include "errors.h"
+
 #include <atomic>
 #include <chrono>
+#include <climits>
 #include <memory>
 
 namespace vbm::python {
@@ -35,7 +38,17 @@ int most_threads() { return threads; }
 
 void bind_threads(py::module_ &module) {
   module.def(
-      "set_threads", [](int most) { threads = most; }, py::arg("most"),
+      "set_threads",
+      [](const py::object &most) {
+        int overflow = 0;
+        const long long number =
+            PyIndex_Check(most.ptr()) ? PyLong_AsLongLongAndOverflow(most.ptr(), &overflow) : -1;
+        if (overflow < 0 || (!overflow && number < 0))
+          bad_argument("most must be a whole number, 0 or more, not " +
+                       py::repr(most).cast<std::string>());
+        threads = overflow || number > INT_MAX ? INT_MAX : int(number);
+      },
+      py::arg("most"),
       "set_threads(most)\n--\n\n"
       "Calls from here on work with no more than `most` threads at once, the calling one included; "
       "with 0,\n"

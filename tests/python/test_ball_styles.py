@@ -164,6 +164,16 @@ def test_of_models(name, genus):
         assert (at.sum() > 0.3 * len(model.samples)) == (style == "power_crust")
 
 
+def test_power_crust_of_tiny_balls():
+    """As long as numbers can tell their points apart; and after that in words about balls."""
+    corners, radii = np.vstack([np.zeros(3), np.eye(3)]), np.full(4, 0.8)
+    for size in (1, 1e-307, 1e-310):
+        assert vbm.surface_from_balls(size * corners, size * radii, style="power_crust").report.components == 1
+    for centers, radius in (([1, 2, 3], 1e-16), ([1e17, 0, 0], 0.6)):
+        with pytest.raises(vbm.InputError, match="the balls are too small beside their distance"):
+            vbm.surface_from_balls([centers], [radius], style="power_crust")
+
+
 @pytest.mark.parametrize("style", ("skin", "power_crust"))
 def test_bad_input(style):
     for bad in (np.nan, np.inf, -1):

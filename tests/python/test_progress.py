@@ -215,9 +215,12 @@ def test_any_number_of_threads():
 
     try:
         results = []
-        for most in (1, 2, 0, -1):
+        for most in (1, 2, 0, 2**40):
             vbm.set_threads(most)
             results.append(surface())
     finally:
         vbm.set_threads(0)
     assert len(set(results)) == 1
+    for bad in (-1, -2**70, 1.5, None, "2"):
+        with pytest.raises(vbm.ArgumentError, match="most must be a whole number, 0 or more, not"):
+            vbm.set_threads(bad)

@@ -8,6 +8,7 @@
 
 #include "ball_surface/singular_points.h"
 #include "balls/build.h"
+#include "core/error.h"
 #include "core/progress.h"
 #include "sampling/points.h"
 #include "surface/power_crust.h"
@@ -35,7 +36,7 @@ Samples samples_of(const Surface &surface, const UnionInput &set, Progress &prog
       const Vec3 out = surface.vertices[v] - center;
       // Lengths first: squares of very small or large ones would not be numbers.
       const double size = std::max({std::fabs(out.x), std::fabs(out.y), std::fabs(out.z)});
-      if (size > 0) normal[v] += unit(out * (1 / size));
+      if (size > 0) normal[v] += unit(Vec3{out.x / size, out.y / size, out.z / size});
     }
   }
   vbm_build_options options{};
@@ -108,6 +109,20 @@ void take_balls(Model &model, const Surface &surface, const UnionInput &set,
   model.inner_pole = std::move(pole);
 }
 
+/// A model of the samples. The caller knows nothing of these, and gave balls.
+Model model_of(const Surface &points, const UnionInput &set, Progress &progress) {
+  vbm_build_options build{};
+  build.undersampling = 0.7;
+  try {
+    return build_model(samples_of(points, set, progress), build, progress);
+  } catch (const Error &error) {
+    if (error.status != VBM_ERROR_DEGENERATE && error.status != VBM_ERROR_INPUT) throw;
+    throw Error(VBM_ERROR_INPUT,
+                "the balls are too small beside their distance from the origin, or beside each "
+                "other, for a power crust: the points that it is made of fall together");
+  }
+}
+
 } // namespace
 
 Surface singular_crust(const UnionInput &set, const vbm_ball_surface_options &options,
@@ -119,9 +134,7 @@ Surface singular_crust(const UnionInput &set, const vbm_ball_surface_options &op
     progress.part(attempt == 0 ? 0.3 : 0.9);
     const Surface points = singular_point_surface(own, finer, progress);
     progress.part(attempt == 0 ? 0.6 : 0.95);
-    vbm_build_options build{};
-    build.undersampling = 0.7;
-    Model model = build_model(samples_of(points, own, progress), build, progress);
+    Model model = model_of(points, own, progress);
     std::vector<int32_t> number;
     take_balls(model, points, own, number, progress);
     progress.part(attempt == 0 ? 0.85 : 1);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <mutex>
 
 #include <sys/mman.h>
@@ -56,7 +57,7 @@ public:
   /// Gives all back; none is kept any more if it is `last`.
   void drop(bool last) {
     const std::unique_lock<std::mutex> lock(mutex_, std::try_to_lock);
-    closed_ |= last;
+    if (last) closed_ = true;
     while (lock && count_ > 0) drop_first();
   }
 
@@ -83,7 +84,7 @@ private:
   std::mutex mutex_;
   std::array<Block, 64> block_{};
   std::size_t count_ = 0, bytes_ = 0;
-  bool closed_ = false;
+  std::atomic<bool> closed_{false}; // also by who does not get the lock
 };
 
 Kept kept; // is never destroyed: lists may be freed after the end
