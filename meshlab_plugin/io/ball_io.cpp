@@ -30,11 +30,12 @@ std::vector<double> plain(const std::vector<double> &values) {
   return result;
 }
 
-// A layer's numbers are smaller ones than a file's.
-void check_range(const vbm::files::BallFile &file) {
+// That there are balls, with a layer's numbers, which are smaller ones than a file's.
+void check_balls(const vbm::files::BallFile &file) {
   const auto beyond = [](double value) {
     return std::abs(value) > double(std::numeric_limits<Scalarm>::max());
   };
+  if (file.radii.empty()) throw Failure("This file holds no balls.");
   for (std::size_t i = 0; i < file.radii.size(); ++i)
     if (beyond(file.radii[i]) ||
         std::any_of(&file.centers[3 * i], &file.centers[3 * i] + 3, beyond))
@@ -94,7 +95,7 @@ const std::vector<BallFormat> &ball_formats() {
 BallsRead read_balls(const QString &path, MeshModel &layer) {
   return guarded([&] {
     vbm::files::BallFile file = vbm::files::read_balls(path_of(path));
-    check_range(file);
+    check_balls(file);
     vbm_filters::NewLayer balls;
     balls.points = std::move(file.centers);
     balls.radius = std::move(file.radii);

@@ -134,6 +134,8 @@ TEST(BallFiles, SayWhatIsWrong) {
   EXPECT_NE(error.find("line 2"), std::string::npos) << error;
   EXPECT_NE(error.find("bad.csv"), std::string::npos) << error;
   EXPECT_EQ(layer->cm.VN(), 0);
+  write(bad, "x,y,z,radius\n");
+  EXPECT_EQ(open(bad, *layer, mask), "This file holds no balls.");
   if (sizeof(Scalarm) == 4) {
     write(bad, "0,0,0,1\n1e300,0,0,1\n");
     const std::string beyond = open(bad, *layer, mask);
