@@ -30,6 +30,9 @@ class Balls:
     radii: np.ndarray
     origin: object
     notes: list = field(default_factory=list)
+    #: The objects' names, and the place in that list of each ball's.
+    objects: list = field(default_factory=list)
+    owner: np.ndarray = None
     own: bool = False  # what job_operator asks of a source: errors are not about mesh elements
 
     @property
@@ -73,7 +76,8 @@ def read(context, world=False):
     else:
         parts, origin = [_finite(obj, *_world(obj, notes)) for obj in objects], None
     balls = Balls(objects[0].name, np.concatenate([part[0] for part in parts]),
-                  np.concatenate([part[1] for part in parts]), origin, notes)
+                  np.concatenate([part[1] for part in parts]), origin, notes, [obj.name for obj in objects],
+                  np.repeat(np.arange(len(parts)), [len(part[1]) for part in parts]))
     if len(balls.radii) == 0:
         raise SourceError(". ".join([f"{balls.name} has no balls", *notes]))
     return balls

@@ -2,9 +2,10 @@
 """Operator: a closed surface of the union of the selected balls (thesis 8.3)."""
 
 import bpy
+import numpy as np
 from bpy.props import BoolProperty
 
-from . import creation, op_balls, options, session, surface_object, text
+from . import ball_source, creation, op_balls, options, session, surface_object, text
 from .ball_operator import BallOperator, place
 
 _NAMES = tuple(row["name"] for row in options.table("surface_from_balls"))
@@ -38,6 +39,7 @@ drawn as spheres"""
                                          shading="SMOOTH" if self.smooth else "FLAT")
         with creation.undone_on_failure() as made:
             mesh = surface_object.new_mesh(made, f"{balls.name} Union", obj, surface, choices)
+            _paint(mesh, balls, surface)
             new = bpy.data.objects.new(mesh.name, mesh)
             made.append((bpy.data.objects, new))
             place(context, obj, new, balls, self.source_display, stands_for_source=False)
@@ -59,6 +61,30 @@ drawn as spheres"""
         layout = self.layout
         layout.use_property_split = True
         draw_own(layout, self)
+
+
+def _material(name):
+    """What an object looks like, unless that is how the add-on shows balls."""
+    obj = bpy.data.objects.get(name)
+    if obj is None or ball_source.is_ball_object(obj) or not obj.material_slots:
+        return None
+    return obj.material_slots[0].material
+
+
+def _paint(mesh, balls, surface):
+    """Give every face the material of the object whose ball it is of."""
+    materials = [_material(name) for name in balls.objects]
+    if not any(materials):
+        return
+    slots = list(dict.fromkeys(materials))
+    for material in slots:
+        mesh.materials.append(material)
+    slot = np.array([slots.index(material) for material in materials], dtype=np.int32)
+    ball = np.asarray(surface.polygon_ball)
+    if len(mesh.polygons) != len(ball):
+        ball = ball[np.asarray(surface.triangle_polygon)]
+    # A power crust has faces of no ball of its own.
+    mesh.polygons.foreach_set("material_index", np.where(ball < 0, 0, slot[balls.owner[ball]]).astype(np.int32))
 
 
 #: Options that mean nothing to some styles.

@@ -146,6 +146,26 @@ def test_surface_of_a_ring_of_empties():
     assert report["genus"] == 1 and report["union_error_max"] == 0
 
 
+@pytest.mark.parametrize("faces", ["TRIANGLES", "POLYGONS"])
+def test_faces_have_the_material_of_their_ball(faces):
+    spheres, paint = [], [bpy.data.materials.new("Red"), bpy.data.materials.new("Blue")]
+    for x, material in ((-1, paint[0]), (1, paint[1]), (3, paint[0]), (5, None)):
+        bpy.ops.mesh.primitive_uv_sphere_add(radius=1.2, location=(x, 0, 0))
+        spheres.append(active())
+        if material:
+            active().data.materials.append(material)
+    select(*spheres)
+    for style in ("SINGULAR_POINTS", "SKIN", "POWER_CRUST"):
+        bpy.ops.vbm.ball_surface(style=style, faces=faces, source_display="KEEP")
+        mesh = active().data
+        assert list(mesh.materials) == [*paint, None]
+        right = [face.material_index == (0 if x < 0 or 2 < x < 4 else 1 if x < 4 else 2)
+                 for face in mesh.polygons for x in [face.center.x]
+                 if min(abs(x - border) for border in (0, 2, 4)) > 0.3]
+        assert len(right) > 50 and all(right)
+        select(*spheres)
+
+
 def test_errors_are_told():
     select(empty((0, 0, 0), 1.0), empty((1.2, 0, 0), 1.0))
     bpy.ops.vbm.ball_surface(errors=True)
