@@ -103,14 +103,19 @@ def show_results(context, objects, origin, source_display):
             other.display_type = "WIRE"
 
 
+def takes_objects(collection):
+    """Not if it is a library's, or stands for one."""
+    return collection.library is None and collection.override_library is None
+
+
 def _collection_of(obj, layer):
-    """A collection that has `obj`, is switched on in the view layer and is no library's; the scene's own if there is
+    """A collection that has `obj`, is switched on in the view layer and takes objects; the scene's own if there is
     none."""
     return _found(obj, layer) or layer.collection
 
 
 def _found(obj, layer):
-    if not layer.exclude and layer.collection.library is None and layer.collection.objects.get(obj.name) == obj:
+    if not layer.exclude and takes_objects(layer.collection) and layer.collection.objects.get(obj.name) == obj:
         return layer.collection
     for child in layer.children:
         found = _found(obj, child)

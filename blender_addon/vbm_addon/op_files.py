@@ -86,9 +86,7 @@ def _load(context, path, display, notes):
     if dropped:
         notes.append(f"{_name(path)}: faces and edges that name a ball twice, or were there already, are left out: "
                      f"{dropped:,}")
-    collection = context.collection
-    if collection.library is not None:
-        collection = context.scene.collection
+    collection = context.collection if creation.takes_objects(context.collection) else context.scene.collection
     with creation.undone_on_failure() as made:
         obj = ball_object.make(made, Path(_name(path)).stem, balls.centers, balls.radii, display,
                                triangles, edges)
