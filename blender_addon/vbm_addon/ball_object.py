@@ -9,9 +9,9 @@ from . import ball_nodes, compat, creation, options
 
 #: Real spheres beyond so many vertices would fill the memory: instances are shown instead.
 _MOST_VERTICES = 6_000_000
-#: So many are made again at once when a slider is drawn: the spheres are as fine as this allows, if nothing else is
-#: asked for.
-_QUICK_VERTICES = 250_000
+#: If nothing else is asked for: so many are made again at once, when a slider is drawn; and so many for spheres that
+#: are not too coarse to look at.
+_QUICK_VERTICES, _DECENT_VERTICES = 250_000, 2_000_000
 #: Vertices of an icosphere by subdivisions.
 _SPHERE_VERTICES = (0, 12, 42, 162, 642, 2562)
 
@@ -37,9 +37,11 @@ def draw_display(layout, owner):
 
 
 def automatic_detail(count):
-    """The finest spheres, up to 642 vertices each, that the vertex budget allows."""
-    fits = [detail for detail in (4, 3, 2) if count * _SPHERE_VERTICES[detail] <= _QUICK_VERTICES]
-    return fits[0] if fits else 1
+    """The finest spheres, up to 642 vertices each, that the budgets of vertices allow."""
+    for detail, budget in ((4, _QUICK_VERTICES), (3, _QUICK_VERTICES), (2, _DECENT_VERTICES)):
+        if count * _SPHERE_VERTICES[detail] <= budget:
+            return detail
+    return 1
 
 
 def make(made, name, centers, radii, display, triangles=None, edges=()):
