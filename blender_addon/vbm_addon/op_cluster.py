@@ -53,7 +53,8 @@ class VBM_OT_cluster_balls(BallOperator, ClusterOptions, ball_object.DisplayOpti
         creation.describe(new, clusters.report, clusters.notes)
         op_balls.color_viewport(context)
         self.made = len(clusters.radii)
-        return session.Outcome(f"{new.name}: {text.counted(self.made, 'ball')} for {len(balls.radii):,}", [], list(clusters.notes) + balls.notes)
+        return session.Outcome(f"{new.name}: {text.counted(self.made, 'ball')} for {len(balls.radii):,}",
+                               [], list(clusters.notes) + balls.notes)
 
     def draw(self, context):
         layout = self.layout
